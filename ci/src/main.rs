@@ -1,0 +1,2 @@
+//! `cargo ci <word>`.
+fn main() {}

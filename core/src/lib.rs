@@ -1,0 +1,5 @@
+//! Core.
+#![no_std]
+#![forbid(unsafe_code)]
+
+pub mod mesh;
