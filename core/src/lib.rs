@@ -2,4 +2,18 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
+pub mod real;
+pub mod grid;
+pub mod scene;
+pub mod state;
+pub mod potential;
+pub mod constraint;
+pub mod kkt;
+pub mod step;
+pub mod collision;
+pub mod hand;
+pub mod event;
 pub mod mesh;
+pub mod book;
+
+pub use book::Book;

@@ -1,0 +1,170 @@
+//! The book: one [`Book::advance`] that reads like Section 3 of the seed.
+//!
+//! The binding, the two blocks and the boards always are; the leaf exists from a press until it has
+//! settled on a block. Nothing here allocates, and nothing big is ever returned: the caller places a
+//! [`Book::EMPTY`] and opens it.
+
+mod binding;
+mod open;
+mod settle;
+mod step;
+mod touch;
+
+pub use binding::Binding;
+pub use open::InputError;
+
+use crate::event::{Event, Events};
+use crate::grid::Grid;
+use crate::hand::{Camera, Guide, Sample};
+use crate::real::{Real, V3};
+use crate::scene::{BookSpec, Settings, Units};
+use crate::state::strip::{BLOCK, BOARD, Fibre, Strip};
+use crate::state::{Field, Fnv, Grab, Leaf, Sheet, Stretch};
+use crate::step::{Solver, StepReport};
+
+/// Samples a book keeps until their time has come.
+pub const SAMPLES: usize = 64;
+
+/// A book with, at times, one leaf (or a stack held as one) in the air.
+#[derive(Debug, Clone)]
+pub struct Book<R: Real, G: Grid> {
+    spec: BookSpec,
+    units: Units,
+    settings: Settings,
+    step_us: u32,
+    /// Time step of one substep, seconds.
+    h: R,
+    /// `e^(-c h)`.
+    keep: R,
+    gravity: V3<R>,
+    seed: u64,
+    camera: Camera<R>,
+    binding: Binding<R>,
+    /// Left and right block, and boards, outward coordinates.
+    blocks: [Strip<R, BLOCK>; 2],
+    boards: [Strip<R, BOARD>; 2],
+    fibre: Fibre<R>,
+    board: Fibre<R>,
+    sheet: Sheet<R, G>,
+    leaf: Leaf<R, G>,
+    active: bool,
+    guide: Option<Guide<R>>,
+    grab: Option<Grab<R>>,
+    samples: heapless::Deque<Sample, SAMPLES>,
+    events: Events,
+    now_us: u64,
+    owed_us: u64,
+    still_us: u64,
+    asleep: bool,
+    solver: Solver<R, G>,
+    before: Field<R, G>,
+    scratch: Field<R, G>,
+}
+
+impl<R: Real, G: Grid> Book<R, G> {
+    /// Whether anything still moves: when false, nothing has to be stepped or drawn until the next input.
+    pub fn needs_frame(&self) -> bool {
+        !self.asleep || !self.samples.is_empty()
+    }
+    /// Time inside the book, microseconds.
+    pub fn now_us(&self) -> u64 {
+        self.now_us
+    }
+    /// What was asked for; `open_at` follows the reading.
+    pub fn spec(&self) -> &BookSpec {
+        &self.spec
+    }
+    /// Scales between the model and SI.
+    pub fn units(&self) -> &Units {
+        &self.units
+    }
+    /// Where leaves are bound and how many lie where.
+    pub fn binding(&self) -> &Binding<R> {
+        &self.binding
+    }
+    /// The leaf in the air, if there is one. Model units, book frame.
+    pub fn leaf(&self) -> Option<&Leaf<R, G>> {
+        self.active.then_some(&self.leaf)
+    }
+    /// What the hand holds, and where it wants it.
+    pub fn held(&self) -> Option<Grab<R>> {
+        self.grab
+    }
+    /// What the leaf is made of.
+    pub fn sheet(&self) -> &Sheet<R, G> {
+        &self.sheet
+    }
+    /// Left and right page block. Model units, outward coordinates.
+    pub fn blocks(&self) -> &[Strip<R, BLOCK>; 2] {
+        &self.blocks
+    }
+    /// Left and right board; `None` for a soft cover. Model units, outward coordinates.
+    pub fn boards(&self) -> Option<&[Strip<R, BOARD>; 2]> {
+        self.has_boards().then_some(&self.boards)
+    }
+    /// The next event nobody has read.
+    pub fn take_event(&mut self) -> Option<Event> {
+        self.events.take()
+    }
+    /// How far the leaf's edges are from their rest length; nothing without a leaf.
+    pub fn stretch(&self) -> Stretch<R> {
+        self.leaf().map_or(Stretch::default(), |leaf| leaf.stretch(self.sheet.spacing))
+    }
+    /// Kinetic energy and height energy of the leaf, model units.
+    pub fn energy(&self) -> [R; 2] {
+        let mut sums = [R::ZERO; 2];
+        if self.active {
+            for (i, k) in Field::<R, G>::nodes() {
+                let m = self.sheet.mass.at(i, k);
+                sums[0] += m * R::of(0.5) * self.leaf.v.at(i, k).norm_sq();
+                sums[1] -= m * self.gravity.dot(self.leaf.x.at(i, k));
+            }
+        }
+        sums
+    }
+    /// The hash of everything that decides the future, except input not yet due.
+    ///
+    /// # Determinism
+    ///
+    /// Equal on every target for equal inputs. Time is left out, so it is constant while asleep.
+    pub fn state_hash(&self) -> u64 {
+        let mut hash = Fnv::default();
+        hash.word(u64::from(self.active));
+        hash.word(u64::from(self.binding.leaves[0]) | u64::from(self.binding.held) << 32);
+        for strip in &self.blocks {
+            for v in strip.x.iter().chain(&strip.v) {
+                v.0.iter().for_each(|&c| hash.real(c));
+            }
+        }
+        for strip in &self.boards {
+            for v in strip.x.iter().chain(&strip.v) {
+                v.0.iter().for_each(|&c| hash.real(c));
+            }
+        }
+        if self.active {
+            for (i, k) in Field::<R, G>::nodes() {
+                let node = [self.leaf.x.at(i, k), self.leaf.v.at(i, k), self.leaf.pushed.at(i, k)];
+                node.iter().flat_map(|v| v.0).for_each(|c| hash.real(c));
+                hash.real(self.leaf.holding.at(i, k));
+            }
+        }
+        hash.value()
+    }
+
+    fn has_boards(&self) -> bool {
+        self.spec.cover == crate::scene::Cover::Hard
+    }
+    fn note(&mut self, event: Event) {
+        self.events.push(event);
+    }
+    /// Wakes the book: something may move.
+    fn wake(&mut self) {
+        self.asleep = false;
+        self.still_us = 0;
+    }
+}
+
+/// A report for a call that did nothing.
+fn nothing() -> StepReport {
+    StepReport::default()
+}

@@ -1,0 +1,232 @@
+//! Opening a book: from what is asked to a book at rest.
+
+use super::{Binding, Book, nothing};
+use crate::event::Events;
+use crate::grid::Grid;
+use crate::hand::{Camera, Phase, Sample, View};
+use crate::real::{Real, V3};
+use crate::scene::units::WIDTH;
+use crate::scene::{
+    BookSpec, Cover, Direction, Fidelity, PaperSpec, Settings, SpecError, Units, WorldSpec,
+};
+use crate::state::strip::{BLOCK, Fibre, Strip};
+use crate::state::{Field, Leaf, Sheet};
+use crate::step::Solver;
+use core::fmt;
+
+/// Steps a new book is given to come to rest before anyone sees it.
+const SETTLING: u32 = 600;
+/// How far a board stands out beyond the leaves, model units.
+const SQUARE: f64 = 0.3;
+/// Mass of a board, in leaves.
+const BOARD_MASS: f64 = 20.0;
+/// The model's gravity at which the seed's weights were found to give the seed's figures.
+pub(crate) const SEED_GRAVITY: f64 = 98.1;
+/// Glue of one leaf in physical units, as a share of the seed's block.
+const GLUE: f64 = 0.05;
+
+/// Why an input was refused. The book is unchanged.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum InputError {
+    /// Too many samples wait for their time.
+    Full,
+    /// The sample is older than one already taken.
+    OutOfOrder,
+}
+
+impl fmt::Display for InputError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Full => "too many pointer samples wait for their time",
+            Self::OutOfOrder => "the pointer sample is older than one already taken",
+        })
+    }
+}
+
+impl core::error::Error for InputError {}
+
+impl<R: Real, G: Grid> Book<R, G> {
+    /// A book that was never opened: for the caller to place. It sleeps.
+    pub const EMPTY: Self = Self {
+        spec: BookSpec {
+            width_m: 0.13,
+            height_m: 0.20,
+            pages: 1,
+            open_at: 0,
+            cover: Cover::Hard,
+            direction: Direction::Ltr,
+        },
+        units: Units { metres: 1.0, kilograms: 1.0 },
+        settings: Settings { substeps: 1, newton: 1, passes: 3 },
+        step_us: 16_667,
+        h: R::ZERO,
+        keep: R::ZERO,
+        gravity: V3([R::ZERO; 3]),
+        seed: 0,
+        camera: Camera {
+            eye: V3([R::ZERO; 3]),
+            right: V3([R::ZERO; 3]),
+            up: V3([R::ZERO; 3]),
+            forward: V3([R::ZERO; 3]),
+            focal: R::ZERO,
+            centre: [R::ZERO; 2],
+        },
+        binding: Binding::ZERO,
+        blocks: [Strip::ZERO; 2],
+        boards: [Strip::ZERO; 2],
+        fibre: Fibre::ZERO,
+        board: Fibre::ZERO,
+        sheet: Sheet::ZERO,
+        leaf: Leaf::ZERO,
+        active: false,
+        guide: None,
+        grab: None,
+        samples: heapless::Deque::new(),
+        events: Events::EMPTY,
+        now_us: 0,
+        owed_us: 0,
+        still_us: 0,
+        asleep: true,
+        solver: Solver::ZERO,
+        before: Field::ZERO,
+        scratch: Field::ZERO,
+    };
+
+    /// Opens a book in place, at rest.
+    ///
+    /// # Errors
+    ///
+    /// The first bad field; then nothing was changed.
+    pub fn open(
+        &mut self,
+        spec: &BookSpec,
+        paper: &PaperSpec,
+        world: &WorldSpec,
+        view: &View,
+        fidelity: Fidelity,
+    ) -> Result<(), SpecError> {
+        spec.check()?;
+        paper.check()?;
+        world.check()?;
+        view.check()?;
+        self.spec = *spec;
+        self.units = Units::of_leaf(spec.width_m, spec.height_m, paper.areal_mass_gsm);
+        self.set_world(world, fidelity);
+        self.camera = view.camera(&self.units);
+        self.bind(paper);
+        let height = self.units.length(spec.height_m);
+        let pull = self.gravity.norm().wide() / SEED_GRAVITY;
+        self.sheet.fill(WIDTH, height, paper, &self.units, pull);
+        self.solver.forget();
+        self.set_fibres(paper, height, pull);
+        self.lay_blocks();
+        self.now_us = 0;
+        self.rest();
+        Ok(())
+    }
+
+    /// Looks from elsewhere. Never changes the physics; a drag goes on from where it is.
+    ///
+    /// # Errors
+    ///
+    /// A view that sees nothing is refused and the old one kept.
+    pub fn look(&mut self, view: &View) -> Result<(), SpecError> {
+        view.check()?;
+        self.camera = view.camera(&self.units);
+        Ok(())
+    }
+
+    /// Takes a pointer sample; it acts when its time has come.
+    ///
+    /// # Errors
+    ///
+    /// See [`InputError`]; the state hash is unchanged.
+    pub fn input(&mut self, sample: Sample) -> Result<(), InputError> {
+        if self.samples.back().is_some_and(|last| last.t_us > sample.t_us) {
+            return Err(InputError::OutOfOrder);
+        }
+        // A move that waits behind another of the same pointer at the same time replaces it.
+        if let Some(last) = self.samples.back_mut() {
+            if last.phase == Phase::Move
+                && sample.phase == Phase::Move
+                && *last == (Sample { x: last.x, y: last.y, ..sample })
+            {
+                *last = sample;
+                return Ok(());
+            }
+        }
+        self.samples.push_back(sample).map_err(|_| InputError::Full)
+    }
+
+    fn set_world(&mut self, world: &WorldSpec, fidelity: Fidelity) {
+        self.settings = fidelity.settings();
+        self.step_us = world.step_us;
+        self.seed = world.seed;
+        let h = f64::from(world.step_us) * 1e-6 / f64::from(self.settings.substeps);
+        self.h = R::of(h);
+        self.keep = R::of(-world.damping_per_s * h).exponential();
+        self.gravity = V3(world.gravity.map(|g| R::of(self.units.length(g))));
+    }
+
+    fn bind(&mut self, paper: &PaperSpec) {
+        let (all, read) = (self.spec.leaves(), self.spec.read());
+        let left = if self.spec.direction == Direction::Ltr { read } else { all - read };
+        self.binding = Binding {
+            leaf: R::of(self.units.length(paper.thickness_mm * 1e-3)),
+            leaves: [left, all - left],
+            held: 0,
+            from_right: true,
+        };
+    }
+
+    /// Fibres of one leaf's share of a block, and of a board.
+    fn set_fibres(&mut self, paper: &PaperSpec, height: f64, pull: f64) {
+        let edges = (BLOCK - 1) as f64;
+        let edge = WIDTH / edges;
+        let (bend, glue) = match paper.weights {
+            Some(w) => (R::of(w.bend_2d).root() / R::of(edge), w.glue),
+            None => {
+                let d = self.units.energy(paper.rigidity_nm());
+                (R::of(0.5 * d * height / (edge * edge * edge)).root(), 600.0 * pull * GLUE)
+            }
+        };
+        self.fibre = Fibre { edge: R::of(edge), mass: R::of(1.0 / edges), bend, glue: R::of(glue) };
+        self.board = Fibre {
+            edge: R::of(WIDTH + SQUARE),
+            mass: R::of(BOARD_MASS),
+            bend: R::ZERO,
+            glue: R::ZERO,
+        };
+    }
+
+    fn lay_blocks(&mut self) {
+        let half = self.binding.half();
+        for (block, board) in self.blocks.iter_mut().zip(&mut self.boards) {
+            block.lay(half, R::of(WIDTH));
+            board.lay(half, R::of(WIDTH + SQUARE));
+        }
+        self.active = false;
+        self.guide = None;
+        self.grab = None;
+        self.samples.clear();
+        self.events = Events::EMPTY;
+        self.owed_us = 0;
+    }
+
+    /// Lets the blocks come to rest before anyone looks.
+    fn rest(&mut self) {
+        self.wake();
+        let mut report = nothing();
+        for _ in 0..SETTLING {
+            self.step_midline(&mut report);
+        }
+        for strip in &mut self.blocks {
+            strip.stop();
+        }
+        for strip in &mut self.boards {
+            strip.stop();
+        }
+        self.asleep = true;
+    }
+}

@@ -1,0 +1,105 @@
+//! Coming to rest: the leaf merges into a block, the book falls asleep.
+
+use super::Book;
+use crate::event::Event;
+use crate::grid::Grid;
+use crate::real::{Real, V3};
+use crate::scene::Direction;
+use crate::step::StepReport;
+
+/// A leaf slower than this, model units/s, is still.
+const STILL: f64 = 0.15;
+/// How long it has to be, microseconds.
+const STILL_US: u64 = 120_000;
+/// Slower than this and upright, it is balanced.
+const BALANCED: f64 = 1.0;
+/// Half width of the zone over the spine where it can balance, model units.
+const UPRIGHT: f64 = 2.5;
+/// Speed a balanced leaf is nudged by at its free edge, model units/s.
+const NUDGE: f64 = 1.5;
+
+impl<R: Real, G: Grid> Book<R, G> {
+    pub(super) fn settle(&mut self, report: &mut StepReport) {
+        if self.active && self.guide.is_none() {
+            self.nudge(report);
+        }
+        if !self.still() {
+            self.still_us = 0;
+            return;
+        }
+        self.still_us += u64::from(self.step_us);
+        if self.still_us < STILL_US {
+            return;
+        }
+        if self.active && self.guide.is_none() && !self.upright() {
+            self.merge();
+        }
+        if self.guide.is_none() {
+            self.fall_asleep();
+        }
+    }
+
+    fn still(&self) -> bool {
+        let strips =
+            self.blocks.iter().map(|b| b.fastest()).chain(self.boards.iter().map(|b| b.fastest()));
+        let strips = strips.fold(R::ZERO, |m, v| if v > m { v } else { m });
+        let leaf = if self.active { self.leaf.fastest() } else { R::ZERO };
+        strips < R::of(STILL) && leaf < R::of(STILL)
+    }
+
+    fn upright(&self) -> bool {
+        let out = self.tip().0[0] - self.binding.root().0[0];
+        out.magnitude() < R::of(UPRIGHT)
+    }
+
+    fn fall_asleep(&mut self) {
+        for strip in &mut self.blocks {
+            strip.stop();
+        }
+        for strip in &mut self.boards {
+            strip.stop();
+        }
+        self.leaf.v.clear();
+        self.asleep = true;
+        self.note(Event::Asleep);
+    }
+
+    /// A leaf balanced over the spine is tipped: towards where it leans, else back where it came from.
+    fn nudge(&mut self, report: &mut StepReport) {
+        let level = self.gravity.0[1] < R::ZERO;
+        if !level || !self.upright() || self.leaf.fastest() > R::of(BALANCED) {
+            return;
+        }
+        let lean = self.tip().0[0] - self.binding.root().0[0];
+        let home = R::of(if self.binding.from_right { 1.0 } else { -1.0 });
+        let way = if lean.magnitude() > R::of(1e-3) { lean } else { home };
+        let sign = R::of(if way < R::ZERO { -1.0 } else { 1.0 });
+        for i in 1..G::NX {
+            let share = R::of(NUDGE * i as f64 / (G::NX - 1) as f64);
+            for k in 0..G::NZ {
+                let v = self.leaf.v.at(i, k);
+                self.leaf.v.set(i, k, v + V3([sign * share, R::ZERO, R::ZERO]));
+            }
+        }
+        report.nudged += 1;
+    }
+
+    /// The leaf becomes the top of the block it lies on. Says once how the turn ended.
+    pub(super) fn merge(&mut self) {
+        let onto_right = self.tip().0[0] > self.binding.root().0[0];
+        let held = self.binding.held;
+        self.binding.leaves[usize::from(onto_right)] += held;
+        self.binding.held = 0;
+        self.active = false;
+        self.guide = None;
+        self.grab = None;
+        if onto_right == self.binding.from_right {
+            self.note(Event::Cancelled);
+            return;
+        }
+        let [left, right] = self.binding.leaves;
+        let read = if self.spec.direction == Direction::Ltr { left } else { right };
+        self.spec.open_at = 2 * read;
+        self.note(Event::Committed { page: 2 * read });
+    }
+}

@@ -1,0 +1,181 @@
+//! The hand that holds a node: from press to letting go.
+//!
+//! After the finger leaves the screen the hand may follow through: the target goes on along the tent
+//! with the speed the finger had, slowed on the way up as by gravity. If the speed carries it over the
+//! peak the leaf is let go beyond, else it is let go at once. So a flick turns a page, a twitch does
+//! not, a reverse flick takes it back, and no clock decides.
+
+use super::tent::Tent;
+use super::view::{Camera, Ray};
+use crate::real::{Real, V3};
+
+/// Furthest a target may be from the held node, model units: keeps the pull within what a sheet bears.
+const LEASH: f64 = 2.0;
+/// Pull down the tent while following through, units/s²: a flick of 0.3 m/s turns a page of 130 mm.
+const SLOPE_PULL: f64 = 60.0;
+/// Slowest release that follows through, units/s.
+const LEAST_SPEED: f64 = 6.0;
+/// Least way the finger went before its speed counts, as a share of the node's distance.
+const LEAST_WAY: f64 = 0.05;
+/// How far past the peak the leaf is let go, as a share of the reach.
+const BEYOND: f64 = 0.25;
+/// Finger speed is measured over at least this long, microseconds.
+const WINDOW_US: u64 = 60_000;
+
+/// A place of the target and when it was wanted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Mark<R> {
+    t_us: u64,
+    x: R,
+}
+
+/// What the hand is doing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Motion<R> {
+    /// The finger leads.
+    Dragging,
+    /// The finger left at this speed across.
+    Following(R),
+}
+
+/// A hand on a node.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Guide<R> {
+    /// Pointer that holds.
+    pub id: u8,
+    /// Column and row held.
+    pub node: (usize, usize),
+    /// Where the node was when it was taken.
+    origin: V3<R>,
+    /// From where the ray met the drag plane to the node.
+    lag: V3<R>,
+    /// Wanted place, before the leash.
+    wanted: V3<R>,
+    /// Where the finger was lately, newest last.
+    marks: [Mark<R>; 4],
+    motion: Motion<R>,
+}
+
+/// What bounds a target.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reach<R> {
+    /// The tent over the book.
+    pub tent: Tent<R>,
+    /// The camera, whose forward direction is the normal of the drag plane.
+    pub camera: Camera<R>,
+}
+
+impl<R: Real> Guide<R> {
+    /// Takes a node at `origin`.
+    pub fn take(
+        id: u8,
+        node: (usize, usize),
+        origin: V3<R>,
+        ray: &Ray<R>,
+        reach: &Reach<R>,
+        t_us: u64,
+    ) -> Self {
+        let met = ray.meet(origin, reach.camera.forward).unwrap_or(origin);
+        let mark = Mark { t_us, x: origin.0[0] - reach.tent.root };
+        Self {
+            id,
+            node,
+            origin,
+            lag: origin - met,
+            wanted: origin,
+            marks: [mark; 4],
+            motion: Motion::Dragging,
+        }
+    }
+
+    /// The finger moved. Answers whether the place it asks for had to be clamped.
+    pub fn drag(&mut self, ray: &Ray<R>, reach: &Reach<R>, t_us: u64) -> bool {
+        let Some(met) = ray.meet(self.origin, reach.camera.forward) else { return true };
+        let asked = met + self.lag;
+        let tent = &reach.tent;
+        let (limit, side) = (tent.reach(), tent.sideways());
+        let x = clamp(asked.0[0] - tent.root, limit);
+        let dz = clamp(asked.0[2] - self.origin.0[2], side);
+        self.wanted = V3([tent.root + x, tent.height(x), self.origin.0[2] + dz]);
+        self.mark(t_us, x);
+        x != asked.0[0] - tent.root || dz != asked.0[2] - self.origin.0[2]
+    }
+
+    fn mark(&mut self, t_us: u64, x: R) {
+        let [_, b, c, newest] = self.marks;
+        let new = Mark { t_us, x };
+        // A mark stays until the next is far enough away to measure a speed.
+        if t_us.saturating_sub(c.t_us) < WINDOW_US / 3 {
+            self.marks[3] = new;
+        } else {
+            self.marks = [b, c, newest, new];
+        }
+    }
+
+    /// Speed of the finger across, over the last marks.
+    fn speed(&self, t_us: u64) -> R {
+        let newest = self.marks[3];
+        let oldest = self
+            .marks
+            .iter()
+            .find(|m| t_us.saturating_sub(m.t_us) <= 2 * WINDOW_US)
+            .unwrap_or(&newest);
+        let us = t_us.saturating_sub(oldest.t_us).max(1000);
+        (newest.x - oldest.x) / R::of(us as f64 * 1e-6)
+    }
+
+    /// The finger left. Answers whether the hand follows through; if not, the leaf is free.
+    pub fn release(&mut self, reach: &Reach<R>, t_us: u64) -> bool {
+        let x = self.wanted.0[0] - reach.tent.root;
+        let speed = self.speed(t_us);
+        let way = (self.wanted.0[0] - self.origin.0[0]).magnitude();
+        let rising = (x < R::ZERO) == (speed > R::ZERO);
+        let climb = reach.tent.height(R::ZERO) - reach.tent.height(x);
+        let enough = speed * speed * R::of(0.5) > R::of(SLOPE_PULL) * climb;
+        let meant =
+            speed.magnitude() > R::of(LEAST_SPEED) && way > reach.tent.radius * R::of(LEAST_WAY);
+        self.motion = Motion::Following(speed);
+        meant && rising && enough
+    }
+
+    /// Moves the target by one step of `h` seconds. Answers the target within the leash of `node`, whether
+    /// the leash held it back, and whether the hand still holds.
+    pub fn advance(&mut self, node: V3<R>, reach: &Reach<R>, h: R) -> (V3<R>, bool, bool) {
+        let holds = match self.motion {
+            Motion::Dragging => true,
+            Motion::Following(speed) => self.follow(speed, reach, h),
+        };
+        let away = self.wanted - node;
+        let distance = away.norm();
+        let leash = R::of(LEASH);
+        if distance > leash {
+            (node + away * (leash / distance), true, holds)
+        } else {
+            (self.wanted, false, holds)
+        }
+    }
+
+    fn follow(&mut self, speed: R, reach: &Reach<R>, h: R) -> bool {
+        let tent = &reach.tent;
+        let limit = tent.reach();
+        let x = self.wanted.0[0] - tent.root;
+        let uphill = if (x < R::ZERO) == (speed > R::ZERO) { R::of(-1.0) } else { R::of(1.0) };
+        let slope = tent.height(R::ZERO) / limit;
+        let faster =
+            (speed.magnitude() + uphill * R::of(SLOPE_PULL) * slope * h).larger(R::of(LEAST_SPEED));
+        let sign = if speed < R::ZERO { R::of(-1.0) } else { R::of(1.0) };
+        let next = clamp(x + sign * faster * h, limit);
+        self.wanted = V3([tent.root + next, tent.height(next), self.wanted.0[2]]);
+        self.motion = Motion::Following(sign * faster);
+        sign * next < limit * R::of(BEYOND)
+    }
+
+    /// The finger still leads.
+    pub fn dragging(&self) -> bool {
+        self.motion == Motion::Dragging
+    }
+}
+
+fn clamp<R: Real>(v: R, limit: R) -> R {
+    v.larger(-limit).smaller(limit)
+}

@@ -1,0 +1,30 @@
+//! Ray to node: the node nearest the ray among those one segment in from the border.
+//!
+//! On the border itself a pull makes creases. Source: Book Sec. 3.3.
+
+use super::view::Ray;
+use crate::grid::Grid;
+use crate::real::Real;
+use crate::state::{Field, Leaf};
+
+/// Nodes nearer the spine than this share of the width cannot be held: they could hardly move.
+const LEAST_COLUMN: usize = 4;
+
+/// The node to hold and its squared distance to the ray.
+pub fn pick<R: Real, G: Grid>(leaf: &Leaf<R, G>, ray: &Ray<R>) -> ((usize, usize), R) {
+    let mut best = ((G::NX - 2, 1), R::of(1e30));
+    for (i, k) in Field::<R, G>::nodes().filter(|&(i, k)| holdable::<G>(i, k)) {
+        let d = ray.distance_sq(leaf.x.at(i, k));
+        if d < best.1 {
+            best = ((i, k), d);
+        }
+    }
+    best
+}
+
+/// One segment in from fore-edge, tail or head, and not close to the spine.
+fn holdable<G: Grid>(i: usize, k: usize) -> bool {
+    let inner = (1..G::NX - 1).contains(&i) && (1..G::NZ - 1).contains(&k);
+    let ring = i == G::NX - 2 || k == 1 || k == G::NZ - 2;
+    inner && ring && i * LEAST_COLUMN >= G::NX
+}

@@ -1,0 +1,44 @@
+//! The tent: where on its way over the spine a held node is wanted. Source: Book Fig. 7.
+//!
+//! A drag on the screen says how far across; the tent says how high. From the block's top it rises in
+//! a straight line to its peak over the binding and falls to the other block. It stays below the arc
+//! the node could reach, so a target never asks the impossible.
+
+use crate::real::Real;
+
+/// Peak of the tent over the binding, as a share of the node's distance from the spine.
+const PEAK: f64 = 0.75;
+/// How far out a target may be, as a share of that distance.
+const REACH: f64 = 0.95;
+/// How far along the binding a target may leave the node's own place, as a share of that distance.
+const SIDEWAYS: f64 = 0.35;
+
+/// A tent for one held node.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tent<R> {
+    /// X of the leaf's spine column.
+    pub root: R,
+    /// Distance of the node from it, along the leaf.
+    pub radius: R,
+    /// Height of the tops of the left and right block where the tent meets them.
+    pub floor: [R; 2],
+}
+
+impl<R: Real> Tent<R> {
+    /// How far out the tent reaches on either side.
+    pub fn reach(&self) -> R {
+        self.radius * R::of(REACH)
+    }
+    /// How far along the binding a target may stray.
+    pub fn sideways(&self) -> R {
+        self.radius * R::of(SIDEWAYS)
+    }
+    /// Height at `x`, which is measured from the root.
+    pub fn height(&self, x: R) -> R {
+        let out = (x.magnitude() / self.reach()).smaller(R::of(1.0));
+        let [left, right] = self.floor;
+        let floor = if x < R::ZERO { left } else { right };
+        let peak = self.radius * R::of(PEAK);
+        floor * out + peak * (R::of(1.0) - out)
+    }
+}

@@ -1,0 +1,150 @@
+//! `f32` and `f64` as the core sees them.
+
+use super::{Lanes, Num};
+use core::ops::{AddAssign, MulAssign, SubAssign};
+use nalgebra::{SMatrix, SVector};
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
+}
+
+/// A scalar the core runs on: `f32` in shells and firmware, `f64` as the oracle. Sealed.
+pub trait Real:
+    Num
+    + PartialOrd
+    + Default
+    + AddAssign
+    + SubAssign
+    + MulAssign
+    + nalgebra::Scalar
+    + sealed::Sealed
+    + Send
+    + Sync
+{
+    /// Eight of them.
+    type Lanes: Lanes<Self>;
+    /// `"f32"` or `"f64"`.
+    const NAME: &'static str;
+    /// Zero, usable in constants.
+    const ZERO: Self;
+    /// Relative spacing of numbers near one.
+    const EPSILON: f64;
+
+    /// Exact widening.
+    fn wide(self) -> f64;
+    /// Nearest `f32`.
+    fn narrow(self) -> f32;
+    /// Bits for hashing: NaN is canonical, the sign of zero is kept.
+    fn bits(self) -> u64;
+    /// From the bits of [`Real::bits`].
+    fn from_bits(bits: u64) -> Self;
+    /// Neither infinite nor NaN.
+    fn finite(self) -> bool;
+    /// Sine by `libm`; never in an inner loop.
+    fn sine(self) -> Self;
+    /// Cosine by `libm`; never in an inner loop.
+    fn cosine(self) -> Self;
+    /// `e^self` by `libm`; never in an inner loop.
+    fn exponential(self) -> Self;
+    /// Solves a small symmetric positive definite system; `None` where it is not.
+    fn solve_small<const D: usize>(
+        a: SMatrix<Self, D, D>,
+        b: &SVector<Self, D>,
+    ) -> Option<SVector<Self, D>>;
+}
+
+macro_rules! real {
+    ($t:ty, $lanes:ty, $name:literal, $eps:expr, $bits:ty, $nan:literal, $sqrt:path, $sin:path, $cos:path, $exp:path) => {
+        impl Num for $t {
+            #[inline(always)]
+            fn of(value: f64) -> Self {
+                value as $t
+            }
+            #[inline(always)]
+            fn root(self) -> Self {
+                $sqrt(self)
+            }
+            #[inline(always)]
+            fn larger(self, other: Self) -> Self {
+                if self > other { self } else { other }
+            }
+            #[inline(always)]
+            fn smaller(self, other: Self) -> Self {
+                if self < other { self } else { other }
+            }
+            #[inline(always)]
+            fn pick_less(a: Self, b: Self, yes: Self, no: Self) -> Self {
+                if a < b { yes } else { no }
+            }
+        }
+
+        impl Real for $t {
+            type Lanes = $lanes;
+            const NAME: &'static str = $name;
+            const ZERO: Self = 0.0;
+            const EPSILON: f64 = $eps;
+            #[inline(always)]
+            fn wide(self) -> f64 {
+                f64::from(self)
+            }
+            #[inline(always)]
+            fn narrow(self) -> f32 {
+                self as f32
+            }
+            #[inline(always)]
+            fn bits(self) -> u64 {
+                u64::from(if self == self { self.to_bits() } else { $nan })
+            }
+            #[inline(always)]
+            fn from_bits(bits: u64) -> Self {
+                <$t>::from_bits(bits as $bits)
+            }
+            #[inline(always)]
+            fn finite(self) -> bool {
+                self.is_finite()
+            }
+            fn sine(self) -> Self {
+                $sin(self)
+            }
+            fn cosine(self) -> Self {
+                $cos(self)
+            }
+            fn exponential(self) -> Self {
+                $exp(self)
+            }
+            fn solve_small<const D: usize>(
+                a: SMatrix<Self, D, D>,
+                b: &SVector<Self, D>,
+            ) -> Option<SVector<Self, D>> {
+                a.cholesky().map(|factor| factor.solve(b))
+            }
+        }
+    };
+}
+
+real!(
+    f32,
+    wide::f32x8,
+    "f32",
+    1.1920929e-7,
+    u32,
+    0x7fc0_0000,
+    libm::sqrtf,
+    libm::sinf,
+    libm::cosf,
+    libm::expf
+);
+real!(
+    f64,
+    wide::f64x8,
+    "f64",
+    2.220446049250313e-16,
+    u64,
+    0x7ff8_0000_0000_0000,
+    libm::sqrt,
+    libm::sin,
+    libm::cos,
+    libm::exp
+);

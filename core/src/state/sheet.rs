@@ -1,0 +1,85 @@
+//! From paper in physical units, or the seed's weights, to the coefficients a step reads.
+
+use super::field::Field;
+use super::leaf::Sheet;
+use crate::grid::Grid;
+use crate::real::{Num, Real};
+use crate::scene::{PaperSpec, Units, Weights};
+
+/// Dual regularisation: large enough for `f32`, small enough to leave the net developable.
+pub const DELTA: f64 = 1e-6;
+/// Weight of in-solve contact; 400 to 10⁶ behave alike.
+pub const CONTACT: f64 = 4000.0;
+
+impl<R: Real, G: Grid> Sheet<R, G> {
+    /// Fills the sheet for a leaf of `width` by `height` model units. `pull` is gravity over the gravity the
+    /// seed's weights belong to: paper in physical units has its soft constraints scaled by it.
+    ///
+    /// ```text
+    /// paper:  a = √(D l_z / 2 l_x³)   b = √(D l_x / 2 l_z³)   c = √(D / l_x l_z)   χ = 0
+    /// seed:   a = √w / l_x            b = √w / l_z            c = 0                χ = 1
+    /// ```
+    ///
+    /// so that a cylinder of curvature κ stores `D κ² / 2` per area, whichever way it is bent. Paper's
+    /// masses follow the area (border rows half), the seed's are even.
+    pub fn fill(&mut self, width: f64, height: f64, paper: &PaperSpec, units: &Units, pull: f64) {
+        let (lx, lz) = (width / (G::NX - 1) as f64, height / (G::NZ - 1) as f64);
+        let weights = paper.weights.unwrap_or_default();
+        self.spacing = [R::of(lx), R::of(lz)];
+        self.delta = R::of(DELTA);
+        let scale = if paper.weights.is_some() { 1.0 } else { pull.larger(1.0) };
+        self.isometry = isometry(weights.iso_3d * scale, [lx, lz], [width / 10.0, height / 7.0]);
+        self.position = R::of(weights.position * scale);
+        self.contact = R::of(CONTACT * scale);
+        let [a, b, c] = coefficients(paper, units, lx, lz);
+        self.cross = if paper.weights.is_some() { R::of(1.0) } else { R::ZERO };
+        self.hinge = R::of(2.0 * a * a).root();
+        let even = paper.weights.is_some();
+        for (i, k) in Field::<R, G>::nodes() {
+            let (column, row) = (border(i, G::NX), border(k, G::NZ));
+            self.mass.set(i, k, R::of(mass::<G>(even, column, row)));
+            let share = |half: bool| if half && !even { R::of(0.5).root() } else { R::of(1.0) };
+            let across = if column { R::ZERO } else { R::of(a) * share(row) };
+            let along = if row || i == 0 { R::ZERO } else { R::of(b) * share(column) };
+            self.across.set(i, k, across);
+            self.along.set(i, k, along);
+            let cell = i + 1 < G::NX && k + 1 < G::NZ;
+            self.twist.set(i, k, if cell { R::of(c) } else { R::ZERO });
+            let star = if column || row { R::ZERO } else { R::of(1.0) / R::of(DELTA).root() };
+            self.star.set(i, k, star);
+        }
+    }
+}
+
+fn border(n: usize, count: usize) -> bool {
+    n == 0 || n + 1 == count
+}
+
+/// Coefficients of the second differences across and along, and of the mixed one.
+fn coefficients(paper: &PaperSpec, units: &Units, lx: f64, lz: f64) -> [f64; 3] {
+    if let Some(Weights { bend_3d, .. }) = paper.weights {
+        let w = bend_3d.root();
+        return [w / lx, w / lz, 0.0];
+    }
+    let d = units.energy(paper.rigidity_nm());
+    [
+        (0.5 * d * lz / (lx * lx * lx)).root(),
+        (0.5 * d * lx / (lz * lz * lz)).root(),
+        (d / (lx * lz)).root(),
+    ]
+}
+
+/// Mass of a node; the leaf's is one.
+fn mass<G: Grid>(even: bool, column: bool, row: bool) -> f64 {
+    if even {
+        return 1.0 / (G::NX * G::NZ) as f64;
+    }
+    let half = |border: bool| if border { 0.5 } else { 1.0 };
+    half(column) * half(row) / ((G::NX - 1) * (G::NZ - 1)) as f64
+}
+
+/// Weights of edges across and along: the given one at 11x8, elsewhere so that the sheet is as stiff.
+fn isometry<R: Real>(w: f64, [lx, lz]: [f64; 2], [x0, z0]: [f64; 2]) -> [R; 2] {
+    let cubed = |v: f64| v * v * v;
+    [R::of(w * (lz / z0) * cubed(x0 / lx)), R::of(w * (lx / x0) * cubed(z0 / lz))]
+}

@@ -1,0 +1,226 @@
+//! The Newton step of the leaf and its line search: Eq. 4 on the condensed system.
+
+use super::assemble::{Ask, Constant, Jacobian, assemble, spread};
+use super::merit::merit;
+use super::report::{StepReport, StepStatus};
+use crate::constraint::dog::ROWS;
+use crate::grid::Grid;
+use crate::kkt::solve::Unknowns;
+use crate::kkt::{Factor, Stencil};
+use crate::real::{Lanes, Num, Real, V3};
+use crate::state::field::{Field, blocks};
+use crate::state::{Leaf, Root, Sheet};
+
+/// Least weight of the residual in the merit. Source: RHS19.
+const LEAST_MU: f64 = 0.05;
+/// The weight in terms of the largest multiplier. Source: RHS19.
+const MU_OVER_LAMBDA: f64 = 1.1;
+/// Rounding a resting leaf may lose without the step being called worse.
+const SLACK: f64 = 1e-6;
+/// Line-search trials at most.
+pub const TRIALS: u32 = 20;
+
+/// Workspace of the leaf's step: placed by the caller, nothing of it is state.
+#[derive(Debug, Clone)]
+pub struct Solver<R: Real, G: Grid> {
+    constant: Constant<R, G>,
+    filled_for: Option<(R, bool)>,
+    stencil: Stencil<R, G>,
+    factor: Factor<R, G>,
+    jacobian: Jacobian<R, G>,
+    gradient: Field<R, G>,
+    aim: Field<R, G>,
+    start: Field<R, G>,
+    dx: Field<R, G>,
+    unknowns: Unknowns<R, G>,
+}
+
+impl<R: Real, G: Grid> Solver<R, G> {
+    /// An empty workspace.
+    pub const ZERO: Self = Self {
+        constant: Constant::ZERO,
+        filled_for: None,
+        stencil: Stencil::ZERO,
+        factor: Factor::ZERO,
+        jacobian: Jacobian::ZERO,
+        gradient: Field::ZERO,
+        aim: Field::ZERO,
+        start: Field::ZERO,
+        dx: Field::ZERO,
+        unknowns: Unknowns::ZERO,
+    };
+
+    /// Forgets the sheet it was filled for: call after changing the sheet.
+    pub fn forget(&mut self) {
+        self.filled_for = None;
+    }
+
+    /// Moves the leaf's positions by one implicit step; velocities are left to the collision pass.
+    ///
+    /// # Cost
+    ///
+    /// `newton` factorisations, at most [`TRIALS`] merit evaluations each.
+    ///
+    /// # Hard case
+    ///
+    /// Where no trial improves the merit, or a number is not finite, the pose stays and the report says so.
+    pub fn step(
+        &mut self,
+        sheet: &Sheet<R, G>,
+        leaf: &mut Leaf<R, G>,
+        ask: &Ask<R>,
+        newton: u32,
+        report: &mut StepReport,
+    ) {
+        self.prepare(sheet, ask);
+        self.aim_at(leaf, ask);
+        self.start.copy_from(&leaf.x);
+        for _ in 0..newton.max(1) {
+            let status = self.newton(sheet, leaf, ask, report);
+            report.newton_steps += 1;
+            report.status = report.status.worse(status);
+            if status == StepStatus::Held || status == StepStatus::Stalled {
+                break;
+            }
+        }
+    }
+
+    fn prepare(&mut self, sheet: &Sheet<R, G>, ask: &Ask<R>) {
+        let clamped = matches!(ask.root, Root::Clamp(_));
+        if self.filled_for != Some((ask.h, clamped)) {
+            self.constant.fill(sheet, ask.h, ask.root);
+            self.filled_for = Some((ask.h, clamped));
+        }
+    }
+
+    /// `x̃ = x + h e^(-ch) v`.
+    fn aim_at(&mut self, leaf: &Leaf<R, G>, ask: &Ask<R>) {
+        let carry = ask.h * ask.keep;
+        let (x, v) = (leaf.x.raw(), leaf.v.raw());
+        for ((aim, &x), &v) in self.aim.raw_mut().iter_mut().zip(x).zip(v) {
+            *aim = x + carry * v;
+        }
+    }
+
+    fn newton(
+        &mut self,
+        sheet: &Sheet<R, G>,
+        leaf: &mut Leaf<R, G>,
+        ask: &Ask<R>,
+        report: &mut StepReport,
+    ) -> StepStatus {
+        self.inertia(sheet, leaf, ask);
+        assemble(
+            sheet,
+            leaf,
+            &self.constant,
+            &self.dx,
+            ask,
+            &mut self.stencil,
+            &mut self.gradient,
+            &mut self.jacobian,
+        );
+        self.factor.factor(&self.stencil);
+        report.regularised += self.factor.regularised;
+        self.gather();
+        self.factor.solve(&mut self.unknowns);
+        self.scatter();
+        if !self.dx.finite() {
+            return StepStatus::Held;
+        }
+        let mu = R::of(LEAST_MU).larger(R::of(MU_OVER_LAMBDA) * self.largest_multiplier(sheet));
+        self.line_search(sheet, leaf, ask, mu, report)
+    }
+
+    /// `M (x - x̃) / h²` into `dx`, which is free until the solve.
+    fn inertia(&mut self, sheet: &Sheet<R, G>, leaf: &Leaf<R, G>, ask: &Ask<R>) {
+        let scale = R::Lanes::all(R::of(1.0) / (ask.h * ask.h));
+        for i in 0..G::NX {
+            for k in blocks::<G>() {
+                let away = leaf.x.rows(i, k, 0) - self.aim.rows(i, k, 0);
+                self.dx.set_rows(i, k, 0, away * (sheet.mass.rows(i, k) * scale));
+            }
+        }
+    }
+
+    /// `-(g + JᵀC/δ)` into the order of the unknowns.
+    fn gather(&mut self) {
+        let nodes = (1..G::NX).flat_map(|i| (0..G::NZ).map(move |k| (i, k)));
+        let (triples, _) = self.unknowns.numbers_mut().as_chunks_mut::<3>();
+        for (slot, (i, k)) in triples.iter_mut().zip(nodes) {
+            *slot = (-self.gradient.at(i, k)).0;
+        }
+        if let Some(rest) = self.unknowns.numbers_mut().get_mut(G::UNKNOWNS..) {
+            rest.fill(R::ZERO);
+        }
+    }
+
+    /// The solution back onto the nodes; the held column does not move.
+    fn scatter(&mut self) {
+        self.dx.clear();
+        let nodes = (1..G::NX).flat_map(|i| (0..G::NZ).map(move |k| (i, k)));
+        let (triples, _) = self.unknowns.numbers().as_chunks::<3>();
+        for (&step, (i, k)) in triples.iter().zip(nodes) {
+            self.dx.set(i, k, V3(step));
+        }
+    }
+
+    /// `max |λ|`, with `λ = (C + J dx) / δ`.
+    fn largest_multiplier(&self, sheet: &Sheet<R, G>) -> R {
+        let mut largest = R::Lanes::zero();
+        for i in 1..G::NX - 1 {
+            for k in blocks::<G>() {
+                let steps = [
+                    self.dx.rows(i + 1, k, 0),
+                    self.dx.rows(i, k, 1),
+                    self.dx.rows(i - 1, k, 0),
+                    self.dx.rows(i, k, -1),
+                    self.dx.rows(i, k, 0),
+                ];
+                for (r, named) in ROWS.into_iter().enumerate() {
+                    let (gradient, residual) = self.jacobian.row(i, k, r);
+                    let mut nodes = [V3::zero(); 5];
+                    spread(&mut nodes, named, &gradient);
+                    let lambda =
+                        nodes.iter().zip(steps).fold(residual, |sum, (g, d)| sum + g.dot(d));
+                    largest = largest.larger(lambda.magnitude());
+                }
+            }
+        }
+        largest.largest() / sheet.delta.root()
+    }
+
+    /// Halves the step until the merit is no worse, at most [`TRIALS`] times.
+    fn line_search(
+        &mut self,
+        sheet: &Sheet<R, G>,
+        leaf: &mut Leaf<R, G>,
+        ask: &Ask<R>,
+        mu: R,
+        report: &mut StepReport,
+    ) -> StepStatus {
+        let before = merit(sheet, leaf, &leaf.x, &self.aim, ask).at(mu);
+        let allowed = before + before.magnitude() * R::of(SLACK);
+        self.start.copy_from(&leaf.x);
+        let mut share = R::of(1.0);
+        for trial in 0..TRIALS {
+            self.try_step(leaf, share);
+            let after = merit(sheet, leaf, &leaf.x, &self.aim, ask).at(mu);
+            if after <= allowed {
+                report.cuts += trial;
+                return if trial == 0 { StepStatus::Converged } else { StepStatus::Reduced };
+            }
+            share *= R::of(0.5);
+        }
+        report.cuts += TRIALS;
+        leaf.x.copy_from(&self.start);
+        if before.finite() { StepStatus::Stalled } else { StepStatus::Held }
+    }
+
+    fn try_step(&self, leaf: &mut Leaf<R, G>, share: R) {
+        let (start, dx) = (self.start.raw(), self.dx.raw());
+        for ((x, &s), &d) in leaf.x.raw_mut().iter_mut().zip(start).zip(dx) {
+            *x = s + share * d;
+        }
+    }
+}
