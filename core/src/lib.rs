@@ -16,4 +16,4 @@ pub mod event;
 pub mod mesh;
 pub mod book;
 
-pub use book::Book;
+pub use book::{Book, LoneLeaf};

@@ -5,19 +5,21 @@
 //! [`Book::EMPTY`] and opens it.
 
 mod binding;
+mod lone;
 mod open;
 mod settle;
 mod step;
 mod touch;
 
 pub use binding::Binding;
+pub use lone::LoneLeaf;
 pub use open::InputError;
 
 use crate::event::{Event, Events};
 use crate::grid::Grid;
 use crate::hand::{Camera, Guide, Sample};
 use crate::real::{Real, V3};
-use crate::scene::{BookSpec, Settings, Units};
+use crate::scene::{BookSpec, PaperSpec, Settings, Units};
 use crate::state::strip::{BLOCK, BOARD, Fibre, Strip};
 use crate::state::{Field, Fnv, Grab, Leaf, Sheet, Stretch};
 use crate::step::{Solver, StepReport};
@@ -29,6 +31,7 @@ pub const SAMPLES: usize = 64;
 #[derive(Debug, Clone)]
 pub struct Book<R: Real, G: Grid> {
     spec: BookSpec,
+    paper: PaperSpec,
     units: Units,
     settings: Settings,
     step_us: u32,
@@ -93,6 +96,11 @@ impl<R: Real, G: Grid> Book<R, G> {
     /// What the leaf is made of.
     pub fn sheet(&self) -> &Sheet<R, G> {
         &self.sheet
+    }
+    /// Tuning.
+    pub fn sheet_mut(&mut self) -> &mut Sheet<R, G> {
+        self.solver.forget();
+        &mut self.sheet
     }
     /// Left and right page block. Model units, outward coordinates.
     pub fn blocks(&self) -> &[Strip<R, BLOCK>; 2] {

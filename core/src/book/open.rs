@@ -57,6 +57,7 @@ impl<R: Real, G: Grid> Book<R, G> {
             cover: Cover::Hard,
             direction: Direction::Ltr,
         },
+        paper: PaperSpec { areal_mass_gsm: 80.0, thickness_mm: 0.1, youngs_gpa: 4.0, poisson: 0.2, weights: None },
         units: Units { metres: 1.0, kilograms: 1.0 },
         settings: Settings { substeps: 1, newton: 1, passes: 3 },
         step_us: 16_667,
@@ -111,6 +112,7 @@ impl<R: Real, G: Grid> Book<R, G> {
         world.check()?;
         view.check()?;
         self.spec = *spec;
+        self.paper = *paper;
         self.units = Units::of_leaf(spec.width_m, spec.height_m, paper.areal_mass_gsm);
         self.set_world(world, fidelity);
         self.camera = view.camera(&self.units);

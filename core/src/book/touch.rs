@@ -1,6 +1,7 @@
 //! Input: a press takes a leaf up, a drag leads it, letting go frees it.
 
 use super::Book;
+use crate::collision::leaf::resolve;
 use crate::event::Event;
 use crate::grid::Grid;
 use crate::hand::tent::Tent;
@@ -12,6 +13,8 @@ use crate::step::StepReport;
 
 /// A press within this distance of the leaf in the air catches it again, model units.
 const CATCH: f64 = 2.5;
+/// How far a leaf just taken up is moved off its block to find what touches it, model units.
+const SKIN: f64 = 1e-3;
 /// A leaf whose free edge is lower than this above its block has as good as landed.
 const LANDED: f64 = 2.0;
 
@@ -45,7 +48,7 @@ impl<R: Real, G: Grid> Book<R, G> {
             return false;
         }
         let (node, _) = pick(&self.leaf, &ray);
-        let reach = self.reach(node.0);
+        let reach = self.reach(node);
         let at = self.leaf.x.at(node.0, node.1);
         self.guide = Some(Guide::take(sample.id, node, at, &ray, &reach, sample.t_us));
         self.grab = Some(Grab { node, target: at });
@@ -96,11 +99,20 @@ impl<R: Real, G: Grid> Book<R, G> {
         self.binding.leaves[side.min(1)] = there - held;
         self.binding.held = held;
         self.binding.from_right = from_right;
+        self.soften();
         self.lay_leaf(from_right);
         self.active = true;
         self.note(Event::Lifted { from_right, leaves: held });
         self.wake();
         true
+    }
+
+    /// Lets the leaf round the gutter's edges, as far as the thicker block asks.
+    fn soften(&mut self) {
+        let [left, right] = self.binding.thickness();
+        let arc = left.larger(right) * R::of(core::f64::consts::FRAC_PI_2);
+        self.sheet.soften(arc, &self.paper, &self.units);
+        self.solver.forget();
     }
 
     /// Lays the leaf on one block, at rest.
@@ -110,30 +122,33 @@ impl<R: Real, G: Grid> Book<R, G> {
         let above = profile.thickness + self.binding.half_held();
         let sign = R::of(if on_right { 1.0 } else { -1.0 });
         let outline = profile.outline(above);
-        self.leaf.lay(self.sheet.spacing, |s| {
-            let p = crate::collision::profile::walk(&outline, s);
-            crate::real::V2([p.0[0] * sign, p.0[1]])
-        });
+        let places = crate::collision::profile::stride(&outline, self.sheet.spacing[0]);
+        self.leaf.lay(self.sheet.spacing, places.map(|p| crate::real::V2([p.0[0] * sign, p.0[1]])));
         let root = self.binding.root();
         for k in 0..G::NZ {
             let at = self.leaf.x.at(0, k);
             self.leaf.x.set(0, k, V3([root.0[0], root.0[1], at.0[2]]));
         }
+        // The block already carries the leaf: without these contacts the first solve would sink it.
+        let half = self.binding.half_held() + R::of(SKIN);
+        let _ = resolve(&mut self.leaf, [&profiles[0], &profiles[1]], half, 1, &mut self.scratch);
     }
 
-    pub(super) fn reach(&self, column: usize) -> Reach<R> {
+    pub(super) fn reach(&self, (column, row): (usize, usize)) -> Reach<R> {
         let half = self.binding.half_held();
+        let along = |rows: usize| self.sheet.spacing[1] * R::of(rows as f64);
         let tent = Tent {
             root: self.binding.root().0[0],
             radius: self.sheet.spacing[0] * R::of(column as f64),
             floor: self.binding.thickness().map(|t| t + half),
+            ends: [along(row), along(G::NZ - 1 - row)],
         };
         Reach { tent, camera: self.camera }
     }
 
     fn drag(&mut self, sample: &Sample, report: &mut StepReport) -> bool {
         let Some(mut guide) = self.guide else { return false };
-        let reach = self.reach(guide.node.0);
+        let reach = self.reach(guide.node);
         let ray = self.camera.ray(sample.x, sample.y);
         report.clamped += u32::from(guide.drag(&ray, &reach, sample.t_us));
         self.guide = Some(guide);
@@ -143,7 +158,7 @@ impl<R: Real, G: Grid> Book<R, G> {
 
     fn release(&mut self, sample: &Sample, report: &mut StepReport) -> bool {
         let Some(mut guide) = self.guide else { return false };
-        let reach = self.reach(guide.node.0);
+        let reach = self.reach(guide.node);
         let ray = self.camera.ray(sample.x, sample.y);
         report.clamped += u32::from(guide.drag(&ray, &reach, sample.t_us));
         let follows = guide.release(&reach, sample.t_us);
@@ -166,7 +181,7 @@ impl<R: Real, G: Grid> Book<R, G> {
     /// Moves the target the hand pulls towards.
     pub(super) fn hold(&mut self, report: &mut StepReport) {
         let Some(mut guide) = self.guide else { return };
-        let reach = self.reach(guide.node.0);
+        let reach = self.reach(guide.node);
         let node = self.leaf.x.at(guide.node.0, guide.node.1);
         let (target, leashed, holds) = guide.advance(node, &reach, self.h);
         report.clamped += u32::from(leashed);

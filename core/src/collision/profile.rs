@@ -7,6 +7,8 @@
 use crate::real::{Real, V2};
 use crate::state::strip::{BLOCK, Strip};
 
+/// Corrections of a chord's length when a leaf is laid.
+const CORRECTIONS: u32 = 12;
 /// Steps the fan is drawn in.
 pub const FAN: usize = 6;
 
@@ -89,6 +91,24 @@ fn mitre<R: Real>(a: V2<R>, b: V2<R>) -> V2<R> {
     let sum = a + b;
     let scale = R::of(2.0) / sum.norm_sq().larger(R::of(1.0));
     sum * scale
+}
+
+/// Places `count` steps of length `step` along a polyline, chord by chord: each is exactly `step` from the last.
+///
+/// Paper laid over a rounded gutter spans it by straight edges; measured along the curve they would start compressed.
+pub fn stride<R: Real, const N: usize>(points: &[V2<R>; N], step: R) -> impl Iterator<Item = V2<R>> + '_ {
+    let start = points.first().copied().unwrap_or(V2::zero());
+    let mut at = (start, R::ZERO);
+    core::iter::once(start).chain(core::iter::repeat_with(move || {
+        let mut s = at.1 + step;
+        let mut next = walk(points, s);
+        for _ in 0..CORRECTIONS {
+            s += step - (next - at.0).norm();
+            next = walk(points, s);
+        }
+        at = (next, s);
+        next
+    }))
 }
 
 /// The point at distance `s` along a polyline; straight on beyond its end.

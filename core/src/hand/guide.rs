@@ -93,9 +93,9 @@ impl<R: Real> Guide<R> {
         let Some(met) = ray.meet(self.origin, reach.camera.forward) else { return true };
         let asked = met + self.lag;
         let tent = &reach.tent;
-        let (limit, side) = (tent.reach(), tent.sideways());
-        let x = clamp(asked.0[0] - tent.root, limit);
-        let dz = clamp(asked.0[2] - self.origin.0[2], side);
+        let x = clamp(asked.0[0] - tent.root, tent.reach());
+        let [tail, head] = tent.sideways(x);
+        let dz = (asked.0[2] - self.origin.0[2]).smaller(tail).larger(-head);
         self.wanted = V3([tent.root + x, tent.height(x), self.origin.0[2] + dz]);
         self.mark(t_us, x);
         x != asked.0[0] - tent.root || dz != asked.0[2] - self.origin.0[2]
@@ -165,7 +165,9 @@ impl<R: Real> Guide<R> {
             (speed.magnitude() + uphill * R::of(SLOPE_PULL) * slope * h).larger(R::of(LEAST_SPEED));
         let sign = if speed < R::ZERO { R::of(-1.0) } else { R::of(1.0) };
         let next = clamp(x + sign * faster * h, limit);
-        self.wanted = V3([tent.root + next, tent.height(next), self.wanted.0[2]]);
+        let [tail, head] = tent.sideways(next);
+        let dz = (self.wanted.0[2] - self.origin.0[2]).smaller(tail).larger(-head);
+        self.wanted = V3([tent.root + next, tent.height(next), self.origin.0[2] + dz]);
         self.motion = Motion::Following(sign * faster);
         sign * next < limit * R::of(BEYOND)
     }

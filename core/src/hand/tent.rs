@@ -12,6 +12,8 @@ const PEAK: f64 = 0.75;
 const REACH: f64 = 0.95;
 /// How far along the binding a target may leave the node's own place, as a share of that distance.
 const SIDEWAYS: f64 = 0.35;
+/// How taut the leaf may be drawn, as a share of its own length.
+const TAUT: f64 = 0.985;
 
 /// A tent for one held node.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,6 +24,8 @@ pub struct Tent<R> {
     pub radius: R,
     /// Height of the tops of the left and right block where the tent meets them.
     pub floor: [R; 2],
+    /// Distance along the leaf from the node's row to the tail and to the head.
+    pub ends: [R; 2],
 }
 
 impl<R: Real> Tent<R> {
@@ -29,9 +33,20 @@ impl<R: Real> Tent<R> {
     pub fn reach(&self) -> R {
         self.radius * R::of(REACH)
     }
-    /// How far along the binding a target may stray.
-    pub fn sideways(&self) -> R {
-        self.radius * R::of(SIDEWAYS)
+    /// How far a target at `x` may stray towards the tail (`+Z`) and the head.
+    ///
+    /// Paper does not stretch: no corner of the spine may come to lie further from the node than it is
+    /// along the leaf, `√(radius² + end²)`. Straying towards one end takes the node from the other.
+    pub fn sideways(&self, x: R) -> [R; 2] {
+        let y = self.height(x);
+        let across_sq = x * x + y * y;
+        let share = R::of(TAUT * TAUT);
+        let limit = |far: R| {
+            let left_sq = share * (self.radius * self.radius + far * far) - across_sq;
+            (left_sq.larger(R::ZERO).root() - far).larger(R::ZERO).smaller(self.radius * R::of(SIDEWAYS))
+        };
+        let [tail, head] = self.ends;
+        [limit(head), limit(tail)]
     }
     /// Height at `x`, which is measured from the root.
     pub fn height(&self, x: R) -> R {

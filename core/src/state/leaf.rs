@@ -95,11 +95,12 @@ impl<R: Real, G: Grid> Leaf<R, G> {
     pub const ZERO: Self =
         Self { x: Field::ZERO, v: Field::ZERO, pushed: Field::ZERO, holding: Heights::ZERO };
 
-    /// Lays every column along a curve: `curve(s)` is the place at distance `s` from the spine. At rest.
-    pub fn lay(&mut self, spacing: [R; 2], mut curve: impl FnMut(R) -> V2<R>) {
+    /// Lays column after column at the places given, at rest; columns without a place go to the origin.
+    pub fn lay(&mut self, spacing: [R; 2], places: impl IntoIterator<Item = V2<R>>) {
         let middle = R::of(0.5 * (G::NZ - 1) as f64);
+        let mut places = places.into_iter();
         for i in 0..G::NX {
-            let place = curve(spacing[0] * R::of(i as f64));
+            let place = places.next().unwrap_or_default();
             for k in 0..G::NZ {
                 let z = (middle - R::of(k as f64)) * spacing[1];
                 self.x.set(i, k, V3([place.0[0], place.0[1], z]));

@@ -27,10 +27,10 @@ impl<R: Real, G: Grid> Sheet<R, G> {
         let weights = paper.weights.unwrap_or_default();
         self.spacing = [R::of(lx), R::of(lz)];
         self.delta = R::of(DELTA);
-        let scale = if paper.weights.is_some() { 1.0 } else { pull.larger(1.0) };
-        self.isometry = isometry(weights.iso_3d * scale, [lx, lz], [width / 10.0, height / 7.0]);
-        self.position = R::of(weights.position * scale);
-        self.contact = R::of(CONTACT * scale);
+        let soft = Soft::of(paper, pull);
+        self.isometry = isometry(weights.iso_3d * soft.isometry, [lx, lz], [width / 10.0, height / 7.0]);
+        self.position = R::of(weights.position * soft.position);
+        self.contact = R::of(CONTACT * soft.contact);
         let [a, b, c] = coefficients(paper, units, lx, lz);
         self.cross = if paper.weights.is_some() { R::of(1.0) } else { R::ZERO };
         self.hinge = R::of(2.0 * a * a).root();
@@ -47,6 +47,48 @@ impl<R: Real, G: Grid> Sheet<R, G> {
             self.twist.set(i, k, if cell { R::of(c) } else { R::ZERO });
             let star = if column || row { R::ZERO } else { R::of(1.0) / R::of(DELTA).root() };
             self.star.set(i, k, star);
+        }
+    }
+}
+
+/// Factors on the seed's soft constraints for paper in physical units, found on 200 gestures: the stretch
+/// is least for a stiff sheet on a stiff block, drawn by a hand that is not much stiffer.
+struct Soft {
+    isometry: f64,
+    position: f64,
+    contact: f64,
+}
+
+impl Soft {
+    fn of(paper: &PaperSpec, pull: f64) -> Self {
+        if paper.weights.is_some() {
+            return Self { isometry: 1.0, position: 1.0, contact: 1.0 };
+        }
+        let scale = pull.larger(1.0);
+        Self { isometry: 2.0 * scale, position: 2.0, contact: 5.0 * scale }
+    }
+}
+
+/// Share of its stiffness a leaf keeps where it rounds the gutter.
+const GUTTER: f64 = 0.3;
+
+impl<R: Real, G: Grid> Sheet<R, G> {
+    /// Softens the columns that lie within `arc` of the spine: where the leaf rounds the edge of a block.
+    ///
+    /// The seed's spine is a rigid rectangle. In a book that has been opened before it gives there, and
+    /// the feet of the leaves turn with it; a leaf as stiff at its foot as elsewhere would never lie down
+    /// in a thick book. The seed's own weights are left as they are.
+    pub fn soften(&mut self, arc: R, paper: &PaperSpec, units: &Units) {
+        if paper.weights.is_some() {
+            return;
+        }
+        let [lx, lz] = self.spacing.map(Real::wide);
+        let [a, _, _] = coefficients(paper, units, lx, lz);
+        for (i, k) in Field::<R, G>::nodes().filter(|&(i, _)| !border(i, G::NX)) {
+            let inside = R::of(lx * (i as f64 - 0.5)) < arc;
+            let soft = if inside { R::of(GUTTER).root() } else { R::of(1.0) };
+            let half = if border(k, G::NZ) { R::of(0.5).root() } else { R::of(1.0) };
+            self.across.set(i, k, R::of(a) * soft * half);
         }
     }
 }
