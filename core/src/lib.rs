@@ -15,5 +15,6 @@ pub mod hand;
 pub mod event;
 pub mod mesh;
 pub mod book;
+pub mod record;
 
 pub use book::{Book, LoneLeaf};

@@ -172,10 +172,12 @@ fn edge<R: Real, G: Grid>(
     // An edge that runs inwards above the block is folded over it: it has no underside here.
     let outward = e.0[0] * R::Lanes::all(sign);
     let normal = e.left() * (R::Lanes::all(sign) / length_sq.root());
-    let depth = clearance + normal.dot(to);
-    let inside =
-        R::Lanes::pick_less(zero, t, R::Lanes::pick_less(t, R::Lanes::one(), depth, zero), zero);
-    let depth = R::Lanes::pick_less(zero, outward, inside, zero).smaller(clearance).larger(zero);
+    let above = normal.dot(to);
+    let along = R::Lanes::pick_less(t, R::Lanes::one(), clearance + above, zero);
+    let inside = R::Lanes::pick_less(zero, t, along, zero);
+    // A node far above the line is another part of the block, beside a leaf that stands on it.
+    let near = R::Lanes::pick_less(above, clearance, inside, zero);
+    let depth = R::Lanes::pick_less(zero, outward, near, zero).larger(zero);
     if depth.largest() <= R::ZERO {
         return false;
     }

@@ -1,0 +1,37 @@
+//! The triangles that keep light from others.
+
+use glam::Vec3;
+
+use crate::patch::Patch;
+
+/// Places and triangles of everything that casts a shadow.
+#[derive(Debug, Default)]
+pub(crate) struct Casters {
+    pub(crate) points: Vec<Vec3>,
+    pub(crate) triangles: Vec<[u32; 3]>,
+}
+
+impl Casters {
+    /// Collects the casting patches of a frame.
+    pub(crate) fn gather(&mut self, patches: &[Patch<'_>]) {
+        self.points.clear();
+        self.triangles.clear();
+        for patch in patches.iter().filter(|p| p.material.casts()) {
+            let base = self.points.len() as u32;
+            self.points.extend(patch.vertices.iter().map(|v| Vec3::from(v.position)));
+            for three in patch.indices.chunks_exact(3) {
+                let at = [three[0], three[1], three[2]].map(usize::from);
+                let sound = |&i: &usize| patch.vertices.get(i).is_some_and(|v| v.position.iter().all(|c| c.is_finite()));
+                if at.iter().all(sound) {
+                    self.triangles.push(at.map(|i| base + i as u32));
+                }
+            }
+        }
+    }
+
+    /// The used points' extent along three axes: least and most.
+    pub(crate) fn extent(&self, along: impl Fn(Vec3) -> Vec3) -> Option<(Vec3, Vec3)> {
+        let used = self.triangles.iter().flatten().map(|&i| along(self.points[i as usize]));
+        used.fold(None, |box_, p| Some(box_.map_or((p, p), |(low, high): (Vec3, Vec3)| (low.min(p), high.max(p)))))
+    }
+}
