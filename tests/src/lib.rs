@@ -1,1 +1,9 @@
 //! What the tests share.
+
+pub mod gesture;
+pub mod watch;
+pub mod dense;
+pub mod differences;
+pub mod posed;
+pub mod random;
+pub mod stack;

@@ -7,7 +7,7 @@ use crate::real::{Real, V2, V3};
 use crate::scene::units::WIDTH;
 use crate::scene::{Fidelity, LeafSpec, PaperSpec, Settings, SpecError, Units, WorldSpec};
 use crate::state::{Field, Fnv, Leaf, Root, Sheet, Stretch};
-use crate::step::assemble::Ask;
+use crate::step::Ask;
 use crate::step::merit::merit;
 use crate::step::{Solver, StepReport, StepStatus};
 

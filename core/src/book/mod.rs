@@ -58,6 +58,8 @@ pub struct Book<R: Real, G: Grid> {
     now_us: u64,
     owed_us: u64,
     still_us: u64,
+    /// Nudges since the leaf was last seen off its edge.
+    nudges: u32,
     asleep: bool,
     solver: Solver<R, G>,
     before: Field<R, G>,
@@ -169,6 +171,7 @@ impl<R: Real, G: Grid> Book<R, G> {
     fn wake(&mut self) {
         self.asleep = false;
         self.still_us = 0;
+        self.nudges = 0;
     }
 }
 

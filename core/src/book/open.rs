@@ -88,6 +88,7 @@ impl<R: Real, G: Grid> Book<R, G> {
         now_us: 0,
         owed_us: 0,
         still_us: 0,
+        nudges: 0,
         asleep: true,
         solver: Solver::ZERO,
         before: Field::ZERO,
@@ -149,14 +150,12 @@ impl<R: Real, G: Grid> Book<R, G> {
             return Err(InputError::OutOfOrder);
         }
         // A move that waits behind another of the same pointer at the same time replaces it.
-        if let Some(last) = self.samples.back_mut() {
-            if last.phase == Phase::Move
-                && sample.phase == Phase::Move
-                && *last == (Sample { x: last.x, y: last.y, ..sample })
-            {
-                *last = sample;
-                return Ok(());
-            }
+        if let Some(last) = self.samples.back_mut()
+            && last.phase == Phase::Move
+            && *last == (Sample { x: last.x, y: last.y, ..sample })
+        {
+            *last = sample;
+            return Ok(());
         }
         self.samples.push_back(sample).map_err(|_| InputError::Full)
     }

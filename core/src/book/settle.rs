@@ -15,6 +15,8 @@ const STILL_US: u64 = 120_000;
 const BALANCED: f64 = 1.0;
 /// Half width of the zone over the spine where it can balance, model units.
 const UPRIGHT: f64 = 2.5;
+/// Nudges before a leaf is taken to lean on something.
+const NUDGES: u32 = 45;
 /// Speed a balanced leaf is nudged by at its free edge, model units/s.
 const NUDGE: f64 = 1.5;
 
@@ -31,7 +33,7 @@ impl<R: Real, G: Grid> Book<R, G> {
         if self.still_us < STILL_US {
             return;
         }
-        if self.active && self.guide.is_none() && !self.upright() {
+        if self.active && self.guide.is_none() && (self.leaning() || !self.upright()) {
             self.merge();
         }
         if self.guide.is_none() {
@@ -52,6 +54,11 @@ impl<R: Real, G: Grid> Book<R, G> {
         out.magnitude() < R::of(UPRIGHT)
     }
 
+    /// Nudged in vain: it is not balanced but leans on a block as steep as itself.
+    fn leaning(&self) -> bool {
+        self.nudges >= NUDGES
+    }
+
     fn fall_asleep(&mut self) {
         for strip in &mut self.blocks {
             strip.stop();
@@ -67,7 +74,7 @@ impl<R: Real, G: Grid> Book<R, G> {
     /// A leaf balanced over the spine is tipped: towards where it leans, else back where it came from.
     fn nudge(&mut self, report: &mut StepReport) {
         let level = self.gravity.0[1] < R::ZERO;
-        if !level || !self.upright() || self.leaf.fastest() > R::of(BALANCED) {
+        if !level || self.leaning() || !self.upright() || self.leaf.fastest() > R::of(BALANCED) {
             return;
         }
         let lean = self.tip().0[0] - self.binding.root().0[0];
@@ -82,6 +89,7 @@ impl<R: Real, G: Grid> Book<R, G> {
             }
         }
         report.nudged += 1;
+        self.nudges += 1;
     }
 
     /// The leaf becomes the top of the block it lies on. Says once how the turn ended.

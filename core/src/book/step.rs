@@ -5,11 +5,10 @@ use crate::collision::{block, leaf};
 use crate::grid::Grid;
 use crate::real::{Lanes, Num, Real, V2};
 use crate::state::Root;
-use crate::state::field::blocks;
+use crate::state::field::{blocks, row_mask};
 use crate::state::sheet::{CONTACT, DELTA};
-use crate::step::assemble::Ask;
 use crate::step::strip::{StripAsk, step as step_strip};
-use crate::step::{StepReport, StepStatus};
+use crate::step::{Ask, StepReport, StepStatus};
 
 /// World steps one call may catch up; what is owed beyond is dropped: no spiral after a pause.
 const MOST_STEPS: u32 = 8;
@@ -149,8 +148,8 @@ impl<R: Real, G: Grid> Book<R, G> {
         let [across, along] = self.sheet.spacing.map(|l| R::Lanes::all(R::of(1.0) / (l * l)));
         let (mut least, mut most) = (R::Lanes::one(), R::Lanes::one());
         for k in blocks::<G>() {
-            let inside = crate::step::assemble::row_mask::<R, G>(k, 0, G::NZ);
-            let between = crate::step::assemble::row_mask::<R, G>(k, 0, G::NZ - 1);
+            let inside = row_mask::<R>(k, 0, G::NZ);
+            let between = row_mask::<R>(k, 0, G::NZ - 1);
             for i in 1..G::NX {
                 let x = self.leaf.x.rows(i, k, 0);
                 let one = R::Lanes::one();

@@ -96,7 +96,7 @@ fn deepest<R: Real>(side: &Profile<R>, p: V2<R::Lanes>, clearance: R) -> Push<R:
     let mut out = V2::zero();
     let last = side.segments.len() - 1;
     for (n, s) in side.segments.iter().enumerate() {
-        let (v, above) = from_segment::<R>(s, p, n == last);
+        let (v, above) = from_segment::<R>(s, p, n == 0, n == last);
         let d_sq = v.norm_sq();
         let length = d_sq.root();
         let sign =
@@ -118,13 +118,25 @@ fn deepest<R: Real>(side: &Profile<R>, p: V2<R::Lanes>, clearance: R) -> Push<R:
 }
 
 /// Vector from the nearest point of a segment, and its component along the upward normal.
+///
+/// Before the first segment lies the fan: every point there is outside, however low. After the last the
+/// block goes on.
 #[inline(always)]
-fn from_segment<R: Real>(s: &Segment<R>, p: V2<R::Lanes>, open: bool) -> (V2<R::Lanes>, R::Lanes) {
+fn from_segment<R: Real>(
+    s: &Segment<R>,
+    p: V2<R::Lanes>,
+    first: bool,
+    last: bool,
+) -> (V2<R::Lanes>, R::Lanes) {
     let lanes = |v: V2<R>| V2(v.0.map(R::Lanes::all));
     let away = p - lanes(s.from);
-    let t = away.dot(lanes(s.along)).larger(R::Lanes::zero());
-    let t = if open { t } else { t.smaller(R::Lanes::all(s.length)) };
-    (away - lanes(s.along) * t, away.dot(lanes(s.normal)))
+    let (zero, one) = (R::Lanes::zero(), R::Lanes::one());
+    let reached = away.dot(lanes(s.along));
+    let t = reached.larger(zero);
+    let t = if last { t } else { t.smaller(R::Lanes::all(s.length)) };
+    let above = away.dot(lanes(s.normal));
+    let above = if first { R::Lanes::pick_less(reached, zero, one, above) } else { above };
+    (away - lanes(s.along) * t, above)
 }
 
 /// One where the way out has no downward part, or the point is over the block; else zero.

@@ -34,6 +34,6 @@ pub fn progress(left: u32, held: u32, all: u32) -> f64 {
     if all == 0 {
         0.5
     } else {
-        ((f64::from(left) + 0.5 * f64::from(held)) / f64::from(all)).clamp(0.0, 1.0)
+        ((f64::from(left) + 0.5 * f64::from(held)) / f64::from(all)).larger(0.0).smaller(1.0)
     }
 }

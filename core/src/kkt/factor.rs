@@ -7,7 +7,7 @@
 //!
 //! Source: ours. Checked against a dense factorisation by `tests/kkt_dense.rs`.
 
-use super::stencil::Stencil;
+use super::stencil::{NEIGHBOURS, Stencil};
 use crate::grid::{Grid, Panel, Store};
 use crate::real::{LANES, Lanes, Num, Real};
 
@@ -67,17 +67,38 @@ impl<R: Real, G: Grid> Factor<R, G> {
     fn fill(&mut self, s: &Stencil<R, G>) {
         self.panels.as_mut().fill(R::ZERO);
         for row in G::UNKNOWNS..G::ROWS {
-            self.put(row, row, R::one());
+            if let Some(slot) = self.panels.as_mut().get_mut(Place::of::<G>(row / LANES).entry(row, row)) {
+                *slot = R::of(1.0);
+            }
         }
-        s.entries(|row, column, value| self.put(row, column, value));
+        for i in 1..G::NX {
+            for k in 0..G::NZ {
+                for c in 0..3 {
+                    self.fill_row(s, i, k, c);
+                }
+            }
+        }
     }
 
+    /// The entries of coordinate `c` of node `(i, k)`: seven neighbours, three coordinates each.
     #[inline(always)]
-    fn put(&mut self, row: usize, column: usize, value: R) {
+    fn fill_row(&mut self, s: &Stencil<R, G>, i: usize, k: usize, c: usize) {
+        let row = 3 * ((i - 1) * G::NZ + k) + c;
         let place = Place::of::<G>(row / LANES);
-        let at = place.start + (column - place.stored) * LANES + row % LANES;
-        if let Some(slot) = self.panels.as_mut().get_mut(at) {
-            *slot = value;
+        for (n, &(di, dk)) in NEIGHBOURS.iter().enumerate() {
+            let l = k.wrapping_add_signed(-dk);
+            if i <= di || l >= G::NZ {
+                continue;
+            }
+            let first = 3 * ((i - di - 1) * G::NZ + l);
+            let at = place.entry(row, first);
+            for d in 0..3 {
+                if let Some(slot) = self.panels.as_mut().get_mut(at + d * LANES)
+                    && (n > 0 || d <= c)
+                {
+                    *slot = s.at(n, c, d, i, k);
+                }
+            }
         }
     }
 
@@ -126,6 +147,11 @@ pub(super) struct Place {
 }
 
 impl Place {
+    /// Where the entry of a row of this panel in `column` is stored.
+    #[inline(always)]
+    fn entry(&self, row: usize, column: usize) -> usize {
+        self.start + (column - self.stored) * LANES + row % LANES
+    }
     #[inline(always)]
     fn of<G: Grid>(p: usize) -> Self {
         let panel = G::PANELS.get(p).copied().unwrap_or(Panel { first: 0, offset: 0 });
@@ -190,49 +216,60 @@ fn times_transposed<R: Real>(tile: &Tile<R>, inverse: &Tile<R>) -> Tile<R> {
 /// Inverse of the Cholesky factor of one diagonal block, row by row, and how many pivots were replaced.
 #[inline(always)]
 fn invert_factor<R: Real>(block: &Tile<R>) -> (Tile<R>, u32) {
-    let mut columns = *block;
-    let mut rows = [R::Lanes::zero(); LANES];
-    let mut replaced = 0;
-    for j in 0..LANES {
-        let (scale, bad) = pivot::<R>(&columns, block, j);
-        replaced += u32::from(bad);
-        let column = columns.get(j).map_or(R::Lanes::zero(), |c| *c * R::Lanes::all(scale));
-        let factors = column.array();
-        for (c, &f) in columns.iter_mut().zip(&factors).skip(j + 1) {
-            *c = *c - column * R::Lanes::all(f);
-        }
-        if let Some(slot) = columns.get_mut(j) {
-            *slot = column;
-        }
-        let row = inverse_row::<R>(&columns, &rows, j) * R::Lanes::all(scale);
-        if let Some(slot) = rows.get_mut(j) {
-            *slot = row;
-        }
-    }
-    (rows, replaced)
+    let mut work = Inversion { columns: block.map(|c| c.array()), rows: [R::Lanes::zero(); LANES], replaced: 0 };
+    let diagonal: [R; LANES] = core::array::from_fn(|j| block.get(j).map_or(R::ZERO, |c| lane::<R>(&c.array(), j)));
+    work.column::<0>(&diagonal);
+    work.column::<1>(&diagonal);
+    work.column::<2>(&diagonal);
+    work.column::<3>(&diagonal);
+    work.column::<4>(&diagonal);
+    work.column::<5>(&diagonal);
+    work.column::<6>(&diagonal);
+    work.column::<7>(&diagonal);
+    (work.rows, work.replaced)
 }
 
-/// `1 / L_jj`, and whether the pivot had to be replaced.
 #[inline(always)]
-fn pivot<R: Real>(columns: &Tile<R>, block: &Tile<R>, j: usize) -> (R, bool) {
-    let entry = |t: &Tile<R>| t.get(j).and_then(|c| c.array().get(j).copied()).unwrap_or(R::one());
-    let (found, diagonal) = (entry(columns), entry(block));
-    let bad = !(found > diagonal * R::of(SMALLEST_PIVOT) && found > R::ZERO);
-    let used = if bad { diagonal.magnitude().larger(R::one()) } else { found };
-    (R::one() / used.root(), bad)
+fn lane<R: Real>(values: &[R; LANES], j: usize) -> R {
+    values.get(j).copied().unwrap_or(R::ZERO)
 }
 
-/// Row `j` of the inverse before its scaling: `e_j - Σ_{m < j} L_jm · row_m`.
-#[inline(always)]
-fn inverse_row<R: Real>(columns: &Tile<R>, rows: &Tile<R>, j: usize) -> R::Lanes {
-    let mut unit = [R::ZERO; LANES];
-    if let Some(one) = unit.get_mut(j) {
-        *one = R::one();
+/// A diagonal block while it becomes its factor's inverse, column by column.
+struct Inversion<R: Real> {
+    /// What is left of the block, then columns of `L`.
+    columns: [[R; LANES]; LANES],
+    /// Rows of the inverse found so far.
+    rows: Tile<R>,
+    replaced: u32,
+}
+
+impl<R: Real> Inversion<R> {
+    /// Column `J` of `L` and row `J` of its inverse. The trip counts are constants: no loop is left.
+    #[inline(always)]
+    fn column<const J: usize>(&mut self, diagonal: &[R; LANES]) {
+        let own = self.columns.get(J).copied().unwrap_or([R::ZERO; LANES]);
+        let (found, entry) = (lane(&own, J), lane(diagonal, J));
+        let bad = !(found > entry * R::of(SMALLEST_PIVOT) && found > R::ZERO);
+        let used = if bad { entry.magnitude().larger(R::of(1.0)) } else { found };
+        let scale = R::of(1.0) / used.root();
+        self.replaced += u32::from(bad);
+        let column = (R::Lanes::from_array(own) * R::Lanes::all(scale)).array();
+        for (m, c) in self.columns.iter_mut().enumerate() {
+            if m > J {
+                let factor = R::Lanes::all(lane(&column, m));
+                *c = (R::Lanes::from_array(*c) - R::Lanes::from_array(column) * factor).array();
+            }
+        }
+        let mut row = R::Lanes::from_array(core::array::from_fn(|m| if m == J { R::of(1.0) } else { R::ZERO }));
+        for (m, known) in self.rows.iter().enumerate() {
+            if m < J {
+                let factor = self.columns.get(m).map_or(R::ZERO, |c| lane(c, J));
+                row = row - *known * R::Lanes::all(factor);
+            }
+        }
+        if let (Some(c), Some(r)) = (self.columns.get_mut(J), self.rows.get_mut(J)) {
+            *c = column;
+            *r = row * R::Lanes::all(scale);
+        }
     }
-    let mut sum = R::Lanes::from_array(unit);
-    for (column, row) in columns.iter().zip(rows).take(j) {
-        let factor = column.array().get(j).copied().unwrap_or(R::ZERO);
-        sum = sum - *row * R::Lanes::all(factor);
-    }
-    sum
 }

@@ -115,3 +115,10 @@ impl<R: Real, G: Grid> Heights<R, G> {
 pub fn blocks<G: Grid>() -> impl Iterator<Item = usize> {
     (0..G::BLOCKS).map(|b| b * LANES)
 }
+
+/// One where row `k + lane` is in `from..to`, else zero.
+#[inline(always)]
+pub fn row_mask<R: Real>(k: usize, from: usize, to: usize) -> R::Lanes {
+    let inside = |lane: usize| if (from..to).contains(&(k + lane)) { R::of(1.0) } else { R::ZERO };
+    R::Lanes::from_array(core::array::from_fn(inside))
+}

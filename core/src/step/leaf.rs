@@ -1,6 +1,9 @@
 //! The Newton step of the leaf and its line search: Eq. 4 on the condensed system.
 
-use super::assemble::{Ask, Constant, Jacobian, assemble, spread};
+use super::ask::Ask;
+use super::assemble::assemble;
+use super::constant::Constant;
+use super::jacobian::{Jacobian, spread};
 use super::merit::merit;
 use super::report::{StepReport, StepStatus};
 use crate::constraint::dog::ROWS;

@@ -1,10 +1,12 @@
 //! The merit function the line search judges by: `φ = Φ(x) + μ ‖C(x)‖₂`. Source: RHS19.
 
-use super::assemble::{Ask, cell_twist, differences, hinge_laplacian, row_mask, star};
+use super::ask::Ask;
+use super::bend::{cell_twist, differences, hinge_laplacian};
+use super::jacobian::star;
 use crate::grid::Grid;
 use crate::potential::{bending, contact, gravity, isometry, position};
 use crate::real::{Lanes, Num, Real, V2, V3};
-use crate::state::field::{Field, blocks};
+use crate::state::field::{Field, blocks, row_mask};
 use crate::state::{Grab, Leaf, Root, Sheet};
 
 /// The two parts of the merit at one pose.
@@ -34,8 +36,8 @@ pub fn merit<R: Real, G: Grid>(
     let mut energy = R::Lanes::zero();
     let mut residual = R::Lanes::zero();
     for k in blocks::<G>() {
-        let inside = row_mask::<R, G>(k, 0, G::NZ);
-        let between = row_mask::<R, G>(k, 0, G::NZ - 1);
+        let inside = row_mask::<R>(k, 0, G::NZ);
+        let between = row_mask::<R>(k, 0, G::NZ - 1);
         for i in 1..G::NX {
             energy = energy
                 + node_energy(sheet, leaf, x, aim, ask, i, k)

@@ -10,11 +10,16 @@
 //! `S` is positive definite also where the DOG rows lose rank (the flat leaf). Then a merit line
 //! search, and the collision pass decides the velocities.
 
+pub mod ask;
+pub mod constant;
+pub mod jacobian;
+mod bend;
 pub mod assemble;
 pub mod leaf;
 pub mod merit;
 pub mod report;
 pub mod strip;
 
+pub use ask::Ask;
 pub use leaf::Solver;
 pub use report::{StepReport, StepStatus};

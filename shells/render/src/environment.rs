@@ -49,7 +49,7 @@ impl Environment {
         let window = Vec3::new(-0.62, 0.66, -0.42).normalize();
         Self::from_fn(|d| {
             let up = (0.5 + 0.5 * d.y).clamp(0.0, 1.0);
-            let walls = Vec3::new(0.19, 0.165, 0.14).lerp(Vec3::new(0.50, 0.475, 0.44), up);
+            let walls = Vec3::new(0.23, 0.205, 0.175).lerp(Vec3::new(0.50, 0.475, 0.44), up);
             let floor = Vec3::new(0.36, 0.315, 0.26);
             let room = floor.lerp(walls, (d.y * 3.0 + 0.5).clamp(0.0, 1.0));
             let lobe = (3.0 * (d.dot(window) - 1.0)).exp();

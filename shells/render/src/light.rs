@@ -36,7 +36,7 @@ impl Lights {
             point: PointLight {
                 position: Vec3::new(-0.33, 0.66, -0.30),
                 colour: Vec3::new(1.0, 0.93, 0.83) * 1.15,
-                radius_m: 0.055,
+                radius_m: 0.065,
             },
         }
     }

@@ -7,7 +7,7 @@ use glam::Vec3;
 use crate::fast::unit;
 use crate::hit::Hit;
 use crate::light::Lights;
-use crate::material::Optics;
+use crate::material::{Optics, Sheet};
 use crate::shade::{self, cook_torrance, environment_share, factors, schlick};
 use crate::shadow::{Lamp, SkyShare};
 
@@ -20,9 +20,18 @@ fn f0() -> f32 {
 /// innermost gutter, where a leaf touches a page. Less of the lamp gets there, too.
 const DEEP: f32 = 3.0;
 
+/// What stands between a place and the light.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Seen {
+    /// Shares of the room, for both sides.
+    pub(crate) sky: SkyShare,
+    /// Share of the lamp, for the side that faces it.
+    pub(crate) lamp: f32,
+}
+
 /// All light from `hit` to the eye.
-pub(crate) fn shine(hit: &Hit, optics: &Optics, lights: &Lights, lamp: &Lamp, sky: SkyShare) -> Vec3 {
-    room(hit, optics, lights, sky) + point(hit, optics, lights, lamp, sky)
+pub(crate) fn shine(hit: &Hit, optics: &Optics, lights: &Lights, seen: Seen) -> Vec3 {
+    room(hit, optics, lights, seen.sky) + point(hit, optics, lights, seen)
 }
 
 /// The room's part: pre-integrated, dimmed by what stands in the way.
@@ -50,7 +59,7 @@ fn bounced(open: f32, albedo: Vec3) -> Vec3 {
 }
 
 /// The lamp's part, with its shadow. A leaf lit from behind shines by what passes through it.
-fn point(hit: &Hit, optics: &Optics, lights: &Lights, lamp: &Lamp, sky: SkyShare) -> Vec3 {
+fn point(hit: &Hit, optics: &Optics, lights: &Lights, seen: Seen) -> Vec3 {
     let to_lamp = lights.point.position - hit.position;
     let d2 = to_lamp.length_squared().max(1e-6);
     let l = to_lamp / d2.sqrt();
@@ -61,9 +70,8 @@ fn point(hit: &Hit, optics: &Optics, lights: &Lights, lamp: &Lamp, sky: SkyShare
     let fresnel = schlick(f0(), n_l.abs());
     let k = factors(fresnel, fresnel, optics.sheet.passing);
     let light = lights.point.colour * (FRAC_1_PI / d2);
-    let side = if n_l >= 0.0 { hit.face } else { -hit.face };
-    let enclosed = if n_l >= 0.0 { sky.front } else { sky.back };
-    let seen = visible(hit, optics, lamp, side, l) * (enclosed * DEEP).min(1.0);
+    let enclosed = if n_l >= 0.0 { seen.sky.front } else { seen.sky.back };
+    let seen = seen.lamp * (enclosed * DEEP).min(1.0);
     if n_l < 0.0 {
         return optics.through * light * (k.transmitted * -n_l * seen);
     }
@@ -78,11 +86,16 @@ fn point(hit: &Hit, optics: &Optics, lights: &Lights, lamp: &Lamp, sky: SkyShare
 ///
 /// The place is lifted off the surface, the more the flatter the light comes in: one texel of the
 /// map then never lies behind its own surface. Light from behind starts on the far side of the leaf.
-fn visible(hit: &Hit, optics: &Optics, lamp: &Lamp, side: Vec3, l: Vec3) -> f32 {
+pub(crate) fn lamp_share(hit: &Hit, sheet: Sheet, position: Vec3, lamp: &Lamp) -> f32 {
+    let l = unit(position - hit.position, Vec3::Y);
+    let behind = hit.normal.dot(l) < 0.0;
+    if behind && sheet.passing <= 0.0 {
+        return 0.0;
+    }
+    let (side, depth) = if behind { (-hit.face, sheet.thickness_m) } else { (hit.face, 0.0) };
     let texel = lamp.texel_m(hit.position);
     let cos = side.dot(l).clamp(0.0, 1.0);
     let sin = (1.0 - cos * cos).sqrt();
-    let behind = if side.dot(hit.face) < 0.0 { optics.sheet.thickness_m } else { 0.0 };
-    let lifted = hit.position + side * (behind + texel * (0.25 + 1.1 * sin));
+    let lifted = hit.position + side * (depth + texel * (0.25 + 1.1 * sin));
     lamp.seen(lifted, texel * 0.5)
 }

@@ -5,7 +5,7 @@ use glam::{Vec2, Vec3};
 use crate::ambient::{self, Probe, STRIDE};
 use crate::hit::{Eye, Hit};
 use crate::light::Lights;
-use crate::lighting;
+use crate::lighting::{self, Seen};
 use crate::material::{Optics, Sheet, Spot};
 use crate::patch::Patch;
 use crate::raster::{Geometry, Grid, NONE, Triangle};
@@ -86,9 +86,12 @@ impl<const N: usize> Frame<'_, N> {
         let hit = Hit::new(self.geometry, triangle, place, &self.eye);
         let sheet = self.sheets[triangle.patch as usize];
         let optics = self.optics(triangle, &hit, sheet);
-        let sky = ambient::between(probes, columns, x, y, triangle.patch, &hit);
-        let sky = sky.unwrap_or_else(|| self.sky_share(&hit, sheet));
-        lighting::shine(&hit, &optics, self.lights, self.lamp, sky)
+        let known = ambient::between(probes, columns, x, y, triangle.patch, &hit);
+        let seen = Seen {
+            sky: known.sky.unwrap_or_else(|| self.sky_share(&hit, sheet)),
+            lamp: known.lamp.unwrap_or_else(|| self.lamp_share(&hit, sheet)),
+        };
+        lighting::shine(&hit, &optics, self.lights, seen)
     }
 
     fn optics(&self, triangle: &Triangle, hit: &Hit, sheet: Sheet) -> Optics {
@@ -102,6 +105,10 @@ impl<const N: usize> Frame<'_, N> {
         self.sky.share(&Place { position: hit.position, normal: hit.normal, face: hit.face, thickness_m })
     }
 
+    fn lamp_share(&self, hit: &Hit, sheet: Sheet) -> f32 {
+        lighting::lamp_share(hit, sheet, self.lights.point.position, self.lamp)
+    }
+
     /// What grid point (`column`, `row`) sees; `numbers` are those of the whole picture.
     pub(crate) fn probe(&self, numbers: &[u32], size: (usize, usize), column: usize, row: usize) -> Probe {
         let (x, y) = ((column * STRIDE).min(size.0 - 1), (row * STRIDE).min(size.1 - 1));
@@ -112,7 +119,8 @@ impl<const N: usize> Frame<'_, N> {
         let place = Vec2::new(x as f32, y as f32) + self.grid.place(0);
         let triangle = self.triangle(number);
         let hit = Hit::new(self.geometry, triangle, place, &self.eye);
-        let share = self.sky_share(&hit, self.sheets[triangle.patch as usize]);
-        Probe { patch: triangle.patch, near: hit.near, normal: hit.normal, share }
+        let sheet = self.sheets[triangle.patch as usize];
+        let seen = Seen { sky: self.sky_share(&hit, sheet), lamp: self.lamp_share(&hit, sheet) };
+        Probe { patch: triangle.patch, near: hit.near, normal: hit.normal, seen, straight: false }
     }
 }

@@ -179,6 +179,8 @@ impl Renderer {
                 *probe = frame.probe(&self.numbers, self.size, i % columns, band * 4 + i / columns);
             }
         });
+        let straight: Vec<bool> = (0..self.probes.len()).map(|i| ambient::straight(&self.probes, columns, i)).collect();
+        self.probes.iter_mut().zip(straight).for_each(|(p, s)| p.straight = s);
         let t2=std::time::Instant::now();
         for_each_part(self.threads, &mut self.picture, width * 3, |y, row| {
             let numbers = self.numbers[y * width * N..(y + 1) * width * N].chunks_exact(N);

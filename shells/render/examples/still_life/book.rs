@@ -147,7 +147,7 @@ fn leaf(turned: f32, u: f32, v: f32) -> Vec3 {
     let lead = 0.10 * lag * (v - 0.35);
     let middle = PI * (turned + lead).clamp(0.0, 1.0);
     let bend = 1.25 * lag * (1.0 - 2.0 * turned).clamp(-1.0, 1.0) + 0.55 * lag;
-    let mut at = Vec3::new(0.0, BOARD + 0.0030, z_of(v));
+    let mut at = Vec3::new(0.0, BOARD + 0.0012, z_of(v));
     let steps = 32;
     let length = u * (WIDTH - 0.003) / steps as f32;
     for i in 0..steps {

@@ -21,13 +21,13 @@ pub(super) fn colour(leaves: f32, tint: Vec3, foot: &Footprint) -> Vec3 {
     let mut shade = 0.0;
     let mut period = 1.0;
     for octave in 0..7 {
-        let weight = 0.075 * survives(2.0 * period, pixel);
+        let weight = 0.15 * survives(2.0 * period, pixel);
         let along = foot.uv.x * (14.0 / (1.0 + octave as f32));
         shade += weight * (value(place / period, along + 17.0 * octave as f32) - 0.5);
         period *= 2.0;
     }
     // Gaps too fine to see still take light away.
-    tint * (0.86 + shade - 0.20 * gap)
+    tint * (0.90 + shade - 0.20 * gap)
 }
 
 /// Darkness of the slit between two leaves, 0..1, wider for some leaves than for others.

@@ -1,6 +1,6 @@
 //! The table top: calm dark wood, or plain cloth when the grain is zero.
 //!
-//! The grain is drawn once into a picture, stretched along X, and read with the same filter as a
+//! The grain is drawn once into a picture, stretched along X, and read like a
 //! page: computing its layers at every pixel would cost more than the light on it.
 
 use std::sync::LazyLock;
@@ -9,6 +9,7 @@ use glam::{Vec2, Vec3};
 
 use super::noise::value;
 use super::{Optics, Spot};
+use crate::fast::floor;
 use crate::texture::{Footprint, Texture};
 
 /// Size of the picture, texels.
@@ -22,7 +23,7 @@ static GRAIN: LazyLock<Option<Texture>> = LazyLock::new(draw);
 pub(super) fn optics(colour: Vec3, grain: f32, spot: &Spot) -> Optics {
     let shade = match &*GRAIN {
         Some(picture) if grain > 0.0 => {
-            let wood = picture.sample(&footprint(spot)) * 4.0;
+            let wood = picture.sample_soft(&footprint(spot)) * 4.0;
             Vec3::ONE + (wood - 1.0) * grain.min(1.0)
         }
         _ => Vec3::ONE,
@@ -32,9 +33,11 @@ pub(super) fn optics(colour: Vec3, grain: f32, spot: &Spot) -> Optics {
 
 /// Where the pixel lies in the picture.
 fn footprint(spot: &Spot) -> Footprint {
-    let place = Vec2::new(spot.position.x, spot.position.z) / PATCH_M + 0.37;
-    let turn = place - (place * 0.5).floor() * 2.0;
-    let uv = Vec2::ONE - (turn - 1.0).abs();
+    let mirrored = |place: f32| {
+        let half = 0.5 * place + 0.18;
+        1.0 - (2.0 * (half - floor(half) as f32) - 1.0).abs()
+    };
+    let uv = Vec2::new(mirrored(spot.position.x / PATCH_M.x), mirrored(spot.position.z / PATCH_M.y));
     let size = spot.pixel_m / PATCH_M;
     Footprint { uv, dx: Vec2::new(size.x, 0.0), dy: Vec2::new(0.0, size.y) }
 }

@@ -77,7 +77,7 @@ impl Sides {
 ///
 /// `open(texel)` answers for one texel by its nearness, 0..1.
 #[inline]
-pub(super) fn passes(map: &[f32], side: usize, x: f32, y: f32, open: impl Fn(f32) -> f32) -> f32 {
+pub(super) fn passes(map: &[f32], side: usize, x: f32, y: f32, open: impl FnMut(f32) -> f32) -> f32 {
     let (x, y) = (x - 0.5, y - 0.5);
     let edge = (side - 1) as f32;
     if !(x >= 0.0 && y >= 0.0 && x < edge && y < edge) {

@@ -3,6 +3,7 @@
 mod casters;
 mod depth_map;
 mod lamp;
+mod lamp_view;
 mod sky;
 
 pub(crate) use casters::Casters;

@@ -1,4 +1,7 @@
-//! The mip chain: every level halves the one before, averaged in linear light.
+//! The mip chain: every level halves the one before, averaged in square roots of light.
+//!
+//! Print averaged in light itself turns pale grey long before it turns unreadable, as it does in a
+//! photograph taken from afar. The mean of the roots keeps strokes darker and the text legible.
 
 use super::Level;
 
@@ -34,10 +37,10 @@ fn halve(fine: &Level) -> Level {
     Level { width, height, texels }
 }
 
-/// Mean light of four texels, as a texel.
+/// Mean of four texels.
 fn mean(four: [[u8; 4]; 4]) -> [u8; 4] {
     std::array::from_fn(|c| {
-        let sum: u32 = four.iter().map(|t| u32::from(t[c]).pow(2)).sum();
-        ((sum as f32 * 0.25).sqrt() + 0.5) as u8
+        let sum: u16 = four.iter().map(|t| u16::from(t[c])).sum();
+        ((sum + 2) / 4) as u8
     })
 }

@@ -1,7 +1,7 @@
 //! A picture to be mapped onto a surface: texels with a mip chain.
 //!
 //! A texel keeps the square root of the light, 8 bits a channel: nearly as fair to dark colours as sRGB, and
-//! squaring it back is one multiplication where sRGB needs a table. Every filter works on light.
+//! squaring it back is one multiplication where sRGB needs a table. Samples are blended as light.
 
 mod mip;
 mod sample;

@@ -61,6 +61,16 @@ impl Texture {
         Vec3::new(sum[0], sum[1], sum[2]) / (taps as f32 * 255.0 * 255.0)
     }
 
+    /// Linear colour of the footprint from one level only, for pictures without fine print.
+    pub(crate) fn sample_soft(&self, foot: &Footprint) -> Vec3 {
+        let size = Vec2::new(self.levels[0].width as f32, self.levels[0].height as f32);
+        let texels = (foot.dx * size).length_squared().max((foot.dy * size).length_squared()).sqrt();
+        let level = (texels.clamp(1.0, 1e6) as u32).ilog2() as usize;
+        let mut sum = [0.0; 4];
+        self.levels[level.min(self.levels.len() - 1)].bilinear(foot.uv, 1.0, &mut sum);
+        Vec3::new(sum[0], sum[1], sum[2]) / (255.0 * 255.0)
+    }
+
     /// Level for a footprint of `texels` a pixel, and the share of the next coarser one.
     fn level(&self, texels: f32) -> (usize, f32) {
         let last = self.levels.len() - 1;

@@ -1,0 +1,233 @@
+//! The leaf in the air: refined, offset on both sides, each side of true width, and its rim.
+//!
+//! | step | what | where it stands |
+//! |---|---|---|
+//! | across | splines through the rows of the net, kept out of the blocks | `up` |
+//! | along | splines through those columns | `up`, then `down` |
+//! | normals | from neighbours on the refined net | `down` |
+//! | sides | offset by half the thickness, row by row, and walked | `up`, `down` |
+//! | rim | between the borders of both | `rim` |
+
+use super::clear::Clear;
+use super::curve::{Knot, Polyline, unit};
+use super::layout::{ALONG, Layout};
+use super::{Vertex, columns, spline};
+use crate::book::Book;
+use crate::grid::Grid;
+use crate::real::{LANES, Lanes, Num, Real, V3};
+use crate::state::Leaf;
+use crate::state::field::blocks;
+
+/// What the sides of a leaf are drawn with.
+#[derive(Debug, Clone, Copy)]
+struct Pen {
+    half: f32,
+    metres: f32,
+    columns: usize,
+    rows: usize,
+}
+
+/// Fills the leaf's three parts.
+pub(super) fn write<R: Real, G: Grid>(
+    book: &Book<R, G>,
+    leaf: &Leaf<R, G>,
+    out: &mut [Vertex],
+) {
+    let (columns, rows) = (Layout::<G>::COLUMNS, Layout::<G>::ROWS);
+    let size = columns * rows;
+    let Some((up, rest)) = out.split_at_mut_checked(size) else { return };
+    let Some((down, rim)) = rest.split_at_mut_checked(size) else { return };
+    let half = book.binding().half_held();
+    let clear = Clear::new(book.binding().profiles(book.blocks()), half);
+    across(leaf, &clear, up);
+    along::<G>(up, down);
+    normals(down, rows);
+    let pen =
+        Pen { half: half.narrow(), metres: book.units().metres as f32, columns, rows };
+    let mut line = Polyline::new();
+    for row in 0..rows {
+        let at = Row { row, rows };
+        at.offset(down, 1.0, &pen, &mut line);
+        pen.draw(&at, up, 1.0, &line);
+        at.offset(down, -1.0, &pen, &mut line);
+        pen.draw(&at, down, -1.0, &line);
+    }
+    pen.rim(up, down, rim);
+}
+
+/// Splines from spine to fore-edge through eight rows at a time.
+fn across<R: Real, G: Grid>(leaf: &Leaf<R, G>, clear: &Clear<R>, up: &mut [Vertex]) {
+    const { assert!(G::NX <= spline::MOST && G::NZ <= spline::MOST) };
+    let rows = Layout::<G>::ROWS;
+    let mut slopes = [V3::zero(); spline::MOST];
+    for k in blocks::<G>() {
+        let node = |i: usize| leaf.x.rows(i, k, 0);
+        spline::slopes(G::NX, node, &mut slopes);
+        let slope = |i: usize| slopes.get(i).copied().unwrap_or_else(V3::zero);
+        let shares = columns::shares(Layout::<G>::COLUMNS - 1);
+        for (share, column) in shares.zip(up.chunks_exact_mut(rows)) {
+            let t = share * (G::NX - 1) as f64;
+            let i = (t as usize).min(G::NX - 2);
+            let w = spline::weights(t - i as f64);
+            let p = spline::blend([node(i), node(i + 1)], [slope(i), slope(i + 1)], w);
+            let s = R::of(share * crate::scene::units::WIDTH);
+            let lifted = if share > 0.0 { clear.lift(p, s) } else { p };
+            store::<R>(lifted, column.iter_mut().step_by(ALONG).skip(k));
+        }
+    }
+}
+
+fn store<'a, R: Real>(p: V3<R::Lanes>, slots: impl Iterator<Item = &'a mut Vertex>) {
+    let [x, y, z] = p.0.map(|lanes| lanes.array());
+    let eight: [[R; LANES]; 3] = [x, y, z];
+    let [x, y, z] = eight;
+    for (slot, ((x, y), z)) in slots.zip(x.into_iter().zip(y).zip(z)) {
+        slot.position = [x.narrow(), y.narrow(), z.narrow()];
+    }
+}
+
+/// Splines from tail to head through each column; the middle of each cell, and a copy of all.
+fn along<G: Grid>(up: &mut [Vertex], down: &mut [Vertex]) {
+    let rows = Layout::<G>::ROWS;
+    let mut slopes = [V3::zero(); spline::MOST];
+    for (column, copy) in up.chunks_exact_mut(rows).zip(down.chunks_exact_mut(rows)) {
+        let node = |k: usize| column.get(ALONG * k).map_or(V3::zero(), |v| V3(v.position));
+        spline::slopes(G::NZ, node, &mut slopes);
+        for (r, slot) in copy.iter_mut().enumerate() {
+            let k = (r / ALONG).min(G::NZ - 2);
+            let w = spline::weights((r - ALONG * k) as f64 / ALONG as f64);
+            let slope = |k: usize| slopes.get(k).copied().unwrap_or_else(V3::zero);
+            slot.position = spline::blend([node(k), node(k + 1)], [slope(k), slope(k + 1)], w).0;
+        }
+    }
+}
+
+/// Derivative at `i` of `n` points along a line, second order; only its direction matters.
+fn direction(i: usize, n: usize, p: impl Fn(usize) -> V3<f32>) -> V3<f32> {
+    if i == 0 {
+        p(1) - p(0)
+    } else if i + 1 < n {
+        p(i + 1) - p(i - 1)
+    } else {
+        p(i) * 3.0 - p(i.saturating_sub(1)) * 4.0 + p(i.saturating_sub(2))
+    }
+}
+
+/// Normals of the refined net, from the positions around each vertex.
+fn normals(net: &mut [Vertex], rows: usize) {
+    let columns = net.len() / rows.max(1);
+    for j in 0..columns {
+        for r in 0..rows {
+            let p = |j: usize, r: usize| {
+                net.get(j * rows + r).map_or(V3::zero(), |v| V3(v.position))
+            };
+            let a = direction(j, columns, |j| p(j, r));
+            let b = direction(r, rows, |r| p(j, r));
+            let n = unit(a.cross(b), V3([0.0, 1.0, 0.0]));
+            if let Some(v) = net.get_mut(j * rows + r) {
+                v.normal = n.0;
+            }
+        }
+    }
+}
+
+/// One row of vertices, from spine to fore-edge.
+#[derive(Debug, Clone, Copy)]
+struct Row {
+    row: usize,
+    rows: usize,
+}
+
+impl Row {
+    fn of<'a>(&self, net: &'a [Vertex]) -> impl Iterator<Item = &'a Vertex> + Clone {
+        net.get(self.row..).unwrap_or_default().iter().step_by(self.rows)
+    }
+    fn of_mut<'a>(&self, net: &'a mut [Vertex]) -> impl Iterator<Item = &'a mut Vertex> {
+        net.get_mut(self.row..).unwrap_or_default().iter_mut().step_by(self.rows)
+    }
+
+    /// The row shifted by half the thickness to one side.
+    ///
+    /// At the spine the leaves of a stack stand side by side along the binding edge, so there the shift
+    /// is level; over a way as long as the stack is thick it turns to the normal.
+    fn offset(&self, net: &[Vertex], side: f32, pen: &Pen, line: &mut Polyline) {
+        line.clear();
+        let row = self.of(net);
+        let onward = row.clone().skip(2).chain(row.clone().last());
+        let inward = row.clone().take(1).chain(row.clone());
+        let mut s = 0.0;
+        for ((here, (next, last)), (_, step)) in
+            row.zip(onward.zip(inward)).zip(columns::steps(pen.columns - 1))
+        {
+            s += step;
+            let n = V3(here.normal);
+            let turned = (s / (2.0 * pen.half)).smaller(1.0);
+            let level = V3([-1.0, 0.0, 0.0]);
+            let out = unit(level * (1.0 - turned) + n * turned, n);
+            let p = V3(here.position) + out * (side * pen.half);
+            line.push(Knot { p, n: n * side }, V3(next.position) - V3(last.position));
+        }
+    }
+}
+
+impl Pen {
+    /// Walks the offset row and writes its vertices.
+    fn draw(&self, at: &Row, net: &mut [Vertex], side: f32, line: &Polyline) {
+        let mut walk = line.walk();
+        let v = 1.0 - at.row as f32 / (self.rows - 1) as f32;
+        for ((share, step), slot) in columns::steps(self.columns - 1).zip(at.of_mut(net)) {
+            let knot = walk.step(step);
+            let u = if side > 0.0 { share } else { 1.0 - share };
+            *slot = Vertex {
+                position: (knot.p * self.metres).0,
+                normal: knot.n.0,
+                uv: [u, v],
+            };
+        }
+    }
+
+    /// The four strips between the borders of both sides: tail, head, fore-edge, spine.
+    fn rim(&self, up: &[Vertex], down: &[Vertex], rim: &mut [Vertex]) {
+        let (columns, rows) = (self.columns, self.rows);
+        let mut rest = rim;
+        for (first, stride, count, sign) in [
+            (0, rows, columns, 1.0),
+            (rows - 1, rows, columns, -1.0),
+            ((columns - 1) * rows, 1, rows, 1.0),
+            (0, 1, rows, -1.0),
+        ] {
+            let Some((strip, others)) = rest.split_at_mut_checked(2 * count) else { return };
+            let border = Border { first, stride, count, sign };
+            border.write(up, down, strip);
+            rest = others;
+        }
+    }
+}
+
+/// A border of the leaf: every `stride`-th vertex from `first`.
+#[derive(Debug, Clone, Copy)]
+struct Border {
+    first: usize,
+    stride: usize,
+    count: usize,
+    /// Which way out is from the direction of travel.
+    sign: f32,
+}
+
+impl Border {
+    fn write(&self, up: &[Vertex], down: &[Vertex], strip: &mut [Vertex]) {
+        let at = |net: &[Vertex], i: usize| {
+            net.get(self.first + self.stride * i).map_or(V3::zero(), |v| V3(v.position))
+        };
+        for (i, pair) in strip.chunks_exact_mut(2).enumerate() {
+            let ends = [at(down, i), at(up, i)];
+            let along = direction(i, self.count, |i| at(up, i) + at(down, i));
+            let thick = unit((ends[1] - ends[0]) * 1e3, V3([0.0, 1.0, 0.0]));
+            let normal = unit(along.cross(thick) * (self.sign * 1e3), thick);
+            let u = i as f32 / (self.count - 1) as f32;
+            for ((slot, end), v) in pair.iter_mut().zip(ends).zip([0.0, 1.0]) {
+                *slot = Vertex { position: end.0, normal: normal.0, uv: [u, v] };
+            }
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! The natural cubic spline through evenly spaced points: of all curves through them the one that
+//! bends least, as a sheet does. Straight points stay straight. Both ends are free of moment, which is
+//! what a hinge and a free border are.
+//!
+//! ```text
+//! m_{i-1} + 4 m_i + m_{i+1} = 3 (p_{i+1} - p_{i-1})      2 m_0 + m_1 = 3 (p_1 - p_0), likewise at the end
+//! ```
+
+use crate::real::{Num, V3};
+
+/// Points a spline has at most.
+pub(super) const MOST: usize = 32;
+
+/// Factors of the elimination; they depend on nothing but the place.
+const SWEEP: [f64; MOST] = sweep();
+
+#[allow(clippy::indexing_slicing)]
+const fn sweep() -> [f64; MOST] {
+    let mut c = [0.5; MOST];
+    let mut rest: &mut [f64] = &mut c;
+    let mut before = 0.5;
+    while let [first, others @ ..] = rest {
+        *first = before;
+        before = 1.0 / (4.0 - before);
+        rest = others;
+    }
+    c
+}
+
+/// Slopes at `n` points, a point apart being one; the rest of `m` is left.
+pub(super) fn slopes<T: Num>(n: usize, p: impl Fn(usize) -> V3<T>, m: &mut [V3<T>; MOST]) {
+    let mut before = V3::zero();
+    let last = n.saturating_sub(1);
+    let mut passed = 0.5;
+    for (i, (slot, &c)) in m.iter_mut().zip(&SWEEP).enumerate().take(n) {
+        let chord = p((i + 1).min(last)) - p(i.saturating_sub(1));
+        let c = if i == last { 1.0 / (2.0 - passed) } else { c };
+        before = (chord * T::of(3.0) - before) * T::of(c);
+        passed = c;
+        *slot = before;
+    }
+    let mut after = V3::zero();
+    for (i, (slot, &c)) in m.iter_mut().zip(&SWEEP).enumerate().take(n).rev() {
+        let c = if i == last { 0.0 } else { c };
+        *slot = *slot - after * T::of(c);
+        after = *slot;
+    }
+}
+
+/// Weights of the two points and the two slopes at share `t` of a span.
+pub(super) fn weights(t: f64) -> [f64; 4] {
+    let (t2, t3) = (t * t, t * t * t);
+    [2.0 * t3 - 3.0 * t2 + 1.0, 3.0 * t2 - 2.0 * t3, t3 - 2.0 * t2 + t, t3 - t2]
+}
+
+/// The same for the slope of the curve.
+pub(super) fn slope_weights(t: f64) -> [f64; 4] {
+    let t2 = t * t;
+    [6.0 * (t2 - t), 6.0 * (t - t2), 3.0 * t2 - 4.0 * t + 1.0, 3.0 * t2 - 2.0 * t]
+}
+
+/// The point with these weights between two points with their slopes.
+#[inline(always)]
+pub(super) fn blend<T: Num>(p: [V3<T>; 2], m: [V3<T>; 2], w: [f64; 4]) -> V3<T> {
+    let [a, b, c, d] = w.map(T::of);
+    p[0] * a + p[1] * b + m[0] * c + m[1] * d
+}

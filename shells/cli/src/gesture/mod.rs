@@ -1,0 +1,10 @@
+//! Gestures: pointer samples as lines of JSON, and those this program makes itself.
+
+pub(crate) mod builtin;
+mod fixtures;
+mod lines;
+mod path;
+mod wild;
+
+pub(crate) use fixtures::write_all;
+pub(crate) use lines::{GestureError, load};

@@ -1,0 +1,69 @@
+//! A lone leaf as a scene.
+
+use super::{Energy, LeafNodes, Pose, Recording, Sim};
+use crate::error::CliError;
+use crate::scene::Scene;
+use dogleaf_core::LoneLeaf;
+use dogleaf_core::grid::Grid;
+use dogleaf_core::hand::Sample;
+use dogleaf_core::real::Real;
+use dogleaf_core::scene::{Fidelity, LeafSpec};
+use dogleaf_core::step::StepReport;
+
+/// Slower than this, model units/s, a hanging leaf is at rest: a hundredth of a width in a second.
+const STILL: f64 = 0.02;
+
+struct LeafSim<R: Real, G: Grid>(LoneLeaf<R, G>);
+
+/// Lays the leaf of a scene.
+pub(super) fn build<R: Real, G: Grid>(
+    scene: &Scene,
+    spec: &LeafSpec,
+    fidelity: Fidelity,
+) -> Result<Box<dyn Sim>, CliError> {
+    let mut sim = Box::new(LeafSim(LoneLeaf::<R, G>::EMPTY));
+    sim.0.open(spec, &scene.paper, &scene.world, fidelity)?;
+    Ok(sim)
+}
+
+impl<R: Real, G: Grid> Sim for LeafSim<R, G> {
+    fn input(&mut self, _: Sample) -> bool {
+        false
+    }
+
+    fn step(&mut self) -> StepReport {
+        self.0.step()
+    }
+
+    fn now_us(&self) -> u64 {
+        self.0.now_us()
+    }
+
+    fn resting(&self) -> bool {
+        self.0.now_us() > 0 && self.0.leaf().fastest().wide() < STILL
+    }
+
+    fn pose(&mut self) -> Pose {
+        let lone = &self.0;
+        Pose {
+            hash: format!("{:016x}", lone.state_hash()),
+            leaf: Some(LeafNodes::of(lone.leaf(), lone.units())),
+            midline: None,
+            stretch: lone.stretch().into(),
+            energy: Energy::of(lone.energy(), lone.units()),
+            events: Vec::new(),
+        }
+    }
+
+    fn record(&mut self) -> Result<(), CliError> {
+        Err(CliError::Call("a recording is of a book; this scene has a lone leaf".into()))
+    }
+
+    fn recording(&mut self) -> Result<Recording, CliError> {
+        Ok(Recording::default())
+    }
+
+    fn bytes(&self) -> usize {
+        size_of_val(&self.0)
+    }
+}

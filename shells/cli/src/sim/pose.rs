@@ -1,0 +1,86 @@
+//! What one frame shows, in SI units: as it stands in a line of JSON.
+
+use dogleaf_core::event::Event;
+use dogleaf_core::grid::Grid;
+use dogleaf_core::real::Real;
+use dogleaf_core::scene::Units;
+use dogleaf_core::state::{Field, Leaf, Stretch};
+use serde::Serialize;
+
+/// Everything of a scene that a frame shows; parts that are not there are absent.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(crate) struct Pose {
+    /// State hash, 16 hex digits.
+    pub(crate) hash: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) leaf: Option<LeafNodes>,
+    /// Fifteen nodes from the left fore-edge to the right one, metres.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) midline: Option<Vec<[f64; 2]>>,
+    pub(crate) stretch: Strain,
+    pub(crate) energy: Energy,
+    pub(crate) events: Vec<EventName>,
+}
+
+/// The leaf's nodes, column by column from the spine, each tail to head, metres.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(crate) struct LeafNodes {
+    pub(crate) nx: usize,
+    pub(crate) nz: usize,
+    pub(crate) nodes: Vec<[f64; 3]>,
+}
+
+impl LeafNodes {
+    pub(crate) fn of<R: Real, G: Grid>(leaf: &Leaf<R, G>, units: &Units) -> Self {
+        let metres = |(i, k)| leaf.x.at(i, k).0.map(|c| units.to_metres(c.wide()));
+        Self { nx: G::NX, nz: G::NZ, nodes: Field::<R, G>::nodes().map(metres).collect() }
+    }
+}
+
+/// How far the leaf's edges are from their rest length, as a share of it.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub(crate) struct Strain {
+    pub(crate) max: f64,
+    pub(crate) rms: f64,
+}
+
+impl<R: Real> From<Stretch<R>> for Strain {
+    fn from(s: Stretch<R>) -> Self {
+        Self { max: s.max().wide(), rms: s.rms().wide() }
+    }
+}
+
+/// Joules.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub(crate) struct Energy {
+    pub(crate) kinetic: f64,
+    pub(crate) potential: f64,
+}
+
+impl Energy {
+    pub(crate) fn of<R: Real>([kinetic, potential]: [R; 2], units: &Units) -> Self {
+        let joules = |e: R| units.to_joules(e.wide());
+        Self { kinetic: joules(kinetic), potential: joules(potential) }
+    }
+}
+
+/// An event by its name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(tag = "event", rename_all = "lowercase")]
+pub(crate) enum EventName {
+    Lifted { from_right: bool, leaves: u32 },
+    Committed { page: u32 },
+    Cancelled,
+    Asleep,
+}
+
+impl From<Event> for EventName {
+    fn from(event: Event) -> Self {
+        match event {
+            Event::Lifted { from_right, leaves } => Self::Lifted { from_right, leaves },
+            Event::Committed { page } => Self::Committed { page },
+            Event::Cancelled => Self::Cancelled,
+            Event::Asleep => Self::Asleep,
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! An eye on a book while it moves: what a test wants to know about a run, counted once for all tests.
+
+use dogleaf_core::Book;
+use dogleaf_core::event::Event;
+use dogleaf_core::grid::Grid;
+use dogleaf_core::real::Real;
+use dogleaf_core::step::{StepReport, StepStatus};
+
+/// Ratios of an edge to its rest length that a sheet of paper can have.
+pub const BAND: (f64, f64) = (0.5, 1.6);
+
+/// Stretch over many pictures.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Figures {
+    sum_max: f64,
+    sum_sq: f64,
+    /// Pictures with a leaf in the air.
+    pub frames: u32,
+    /// Largest magnitude of all.
+    pub worst: f64,
+}
+
+impl Figures {
+    fn take(&mut self, max: f64, rms: f64) {
+        self.sum_max += max;
+        self.sum_sq += rms * rms;
+        self.frames += 1;
+        self.worst = if max > self.worst { max } else { self.worst };
+    }
+    /// Adds another run.
+    pub fn add(&mut self, o: &Self) {
+        self.sum_max += o.sum_max;
+        self.sum_sq += o.sum_sq;
+        self.frames += o.frames;
+        self.worst = self.worst.max(o.worst);
+    }
+    /// Mean over the pictures of each one's largest magnitude.
+    pub fn mean_max(&self) -> f64 {
+        self.sum_max / f64::from(self.frames.max(1))
+    }
+    /// Root mean square over all edges of all pictures.
+    pub fn rms(&self) -> f64 {
+        (self.sum_sq / f64::from(self.frames.max(1))).sqrt()
+    }
+}
+
+/// What was seen of one run.
+#[derive(Debug, Clone, Default)]
+pub struct Watch {
+    /// Pictures seen.
+    pub frames: u32,
+    /// Stretch over the pictures with a leaf in the air.
+    pub air: Figures,
+    /// Stretch over those in which a finger held it.
+    pub drag: Figures,
+    /// All work together, and the worst status.
+    pub work: StepReport,
+    /// Pictures by status.
+    pub statuses: [u32; 6],
+    /// The last picture's status.
+    pub last: StepStatus,
+    /// Everything that happened.
+    pub events: Vec<Event>,
+    /// The first picture in which everything slept after the last time it did not.
+    pub rest: Option<u32>,
+    /// First complaint about a state no book may be in.
+    pub complaint: Option<String>,
+}
+
+impl Watch {
+    /// Looks at a book after a picture, and takes its events.
+    pub fn see<R: Real, G: Grid>(&mut self, book: &mut Book<R, G>, report: &StepReport) {
+        self.frames += 1;
+        self.work.add(report);
+        self.last = report.status;
+        if let Some(count) = self.statuses.get_mut(report.status as usize) {
+            *count += 1;
+        }
+        self.events.extend(core::iter::from_fn(|| book.take_event()));
+        self.stretch(book);
+        self.rest = (!book.needs_frame()).then(|| self.rest.unwrap_or(self.frames));
+        if self.complaint.is_none() {
+            self.complaint = fault(book).map(|what| format!("picture {}: {what}", self.frames));
+        }
+    }
+
+    fn stretch<R: Real, G: Grid>(&mut self, book: &Book<R, G>) {
+        if book.leaf().is_none() {
+            return;
+        }
+        let s = book.stretch();
+        self.air.take(s.max().wide(), s.rms().wide());
+        if book.held().is_some() {
+            self.drag.take(s.max().wide(), s.rms().wide());
+        }
+    }
+
+    /// How often leaves were taken up, came to lie on the other side, came back.
+    pub fn turns(&self) -> [usize; 3] {
+        let count = |is: fn(&Event) -> bool| self.events.iter().filter(|e| is(e)).count();
+        [
+            count(|e| matches!(e, Event::Lifted { .. })),
+            count(|e| matches!(e, Event::Committed { .. })),
+            count(|e| matches!(e, Event::Cancelled)),
+        ]
+    }
+    /// The page the last turn opened.
+    pub fn page(&self) -> Option<u32> {
+        self.events.iter().rev().find_map(|e| match e {
+            Event::Committed { page } => Some(*page),
+            _ => None,
+        })
+    }
+    /// Pictures in which the last good pose had to be kept.
+    pub fn kept(&self) -> u32 {
+        self.statuses[StepStatus::Held as usize] + self.statuses[StepStatus::Recovered as usize]
+    }
+}
+
+/// What no book may be, whatever is done to it: not finite, out of the band, of other than its leaves.
+pub fn fault<R: Real, G: Grid>(book: &Book<R, G>) -> Option<String> {
+    let strips = book.blocks().iter().flat_map(|b| b.x.iter().chain(&b.v));
+    let boards = book.boards().into_iter().flatten().flat_map(|b| b.x.iter().chain(&b.v));
+    if !strips.chain(boards).flat_map(|v| v.0).all(Real::finite) {
+        return Some("a block is not finite".into());
+    }
+    let (own, all) = (book.spec().leaves(), book.binding().all());
+    if own != all {
+        return Some(format!("{all} leaves of {own}"));
+    }
+    let leaf = book.leaf()?;
+    if !(leaf.x.finite() && leaf.v.finite() && leaf.pushed.finite()) {
+        return Some("the leaf is not finite".into());
+    }
+    let s = book.stretch();
+    let (least, most) = (1.0 + s.smallest.wide(), 1.0 + s.largest.wide());
+    (least < BAND.0 || most > BAND.1).then(|| format!("edges from {least:.2} to {most:.2} of rest"))
+}
