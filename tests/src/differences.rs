@@ -52,7 +52,9 @@ pub fn agree(found: &[f64], expected: &[f64], tolerance: f64) -> Result<(), Doub
         return Err(Doubt::Zero);
     }
     let gaps = found.iter().zip(expected).map(|(a, b)| (a - b).abs() / scale).enumerate();
-    let worst = gaps.fold((0, 0.0), |w, g| if g.1 <= w.1 { w } else { g });
-    // Written so that a NaN is a doubt too.
-    if worst.1 <= tolerance { Ok(()) } else { Err(Doubt::Differs(worst.0, worst.1)) }
+    let wrong = gaps.filter(|(_, gap)| gap.is_nan() || *gap > tolerance);
+    match wrong.max_by(|a, b| a.1.total_cmp(&b.1)) {
+        Some((entry, gap)) => Err(Doubt::Differs(entry, gap)),
+        None => Ok(()),
+    }
 }

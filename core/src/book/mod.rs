@@ -139,8 +139,13 @@ impl<R: Real, G: Grid> Book<R, G> {
     /// Equal on every target for equal inputs. Time is left out, so it is constant while asleep.
     pub fn state_hash(&self) -> u64 {
         let mut hash = Fnv::default();
-        hash.word(u64::from(self.active));
+        let flags = u64::from(self.active) | u64::from(self.asleep) << 1 | u64::from(self.binding.from_right) << 2;
+        hash.word(flags | u64::from(self.nudges) << 8);
         hash.word(u64::from(self.binding.leaves[0]) | u64::from(self.binding.held) << 32);
+        hash.word(self.still_us);
+        if let Some(guide) = &self.guide {
+            guide.hash(&mut hash);
+        }
         for strip in &self.blocks {
             for v in strip.x.iter().chain(&strip.v) {
                 v.0.iter().for_each(|&c| hash.real(c));

@@ -16,6 +16,9 @@ use core::fmt;
 
 /// Steps a new book is given to come to rest before anyone sees it.
 const SETTLING: u32 = 600;
+/// Steps it takes at least, and the speed below which it has come to rest, model units/s.
+const LEAST_SETTLING: u32 = 10;
+const SETTLED: f64 = 1e-3;
 /// How far a board stands out beyond the leaves, model units.
 const SQUARE: f64 = 0.3;
 /// Mass of a board, in leaves.
@@ -219,8 +222,11 @@ impl<R: Real, G: Grid> Book<R, G> {
     fn rest(&mut self) {
         self.wake();
         let mut report = nothing();
-        for _ in 0..SETTLING {
+        for n in 0..SETTLING {
             self.step_midline(&mut report);
+            if n > LEAST_SETTLING && self.midline_speed() < R::of(SETTLED) {
+                break;
+            }
         }
         for strip in &mut self.blocks {
             strip.stop();

@@ -3,7 +3,8 @@
 use super::Book;
 use crate::event::Event;
 use crate::grid::Grid;
-use crate::real::{Real, V3};
+use crate::real::{Num, Real, V3};
+use crate::state::strip::Strip;
 use crate::scene::Direction;
 use crate::step::StepReport;
 
@@ -42,11 +43,14 @@ impl<R: Real, G: Grid> Book<R, G> {
     }
 
     fn still(&self) -> bool {
-        let strips =
-            self.blocks.iter().map(|b| b.fastest()).chain(self.boards.iter().map(|b| b.fastest()));
-        let strips = strips.fold(R::ZERO, |m, v| if v > m { v } else { m });
         let leaf = if self.active { self.leaf.fastest() } else { R::ZERO };
-        strips < R::of(STILL) && leaf < R::of(STILL)
+        self.midline_speed() < R::of(STILL) && leaf < R::of(STILL)
+    }
+
+    /// Largest speed of any node of blocks and boards.
+    pub(super) fn midline_speed(&self) -> R {
+        let blocks = self.blocks.iter().map(Strip::fastest);
+        blocks.chain(self.boards.iter().map(Strip::fastest)).fold(R::ZERO, Num::larger)
     }
 
     fn upright(&self) -> bool {

@@ -8,9 +8,10 @@
 use super::tent::Tent;
 use super::view::{Camera, Ray};
 use crate::real::{Real, V3};
+use crate::state::Fnv;
 
 /// Furthest a target may be from the held node, model units: keeps the pull within what a sheet bears.
-const LEASH: f64 = 2.0;
+const LEASH: f64 = 3.0;
 /// Pull down the tent while following through, units/s²: a flick of 0.3 m/s turns a page of 130 mm.
 const SLOPE_PULL: f64 = 60.0;
 /// Slowest release that follows through, units/s.
@@ -19,6 +20,8 @@ const LEAST_SPEED: f64 = 6.0;
 const LEAST_WAY: f64 = 0.05;
 /// How far past the peak the leaf is let go, as a share of the reach.
 const BEYOND: f64 = 0.25;
+/// Longest a hand follows through, seconds: a leaf that cannot be moved is let go.
+const LONGEST: f64 = 1.0;
 /// Finger speed is measured over at least this long, microseconds.
 const WINDOW_US: u64 = 60_000;
 
@@ -54,6 +57,8 @@ pub struct Guide<R> {
     /// Where the finger was lately, newest last.
     marks: [Mark<R>; 4],
     motion: Motion<R>,
+    /// Seconds since the finger left.
+    followed: R,
 }
 
 /// What bounds a target.
@@ -85,6 +90,7 @@ impl<R: Real> Guide<R> {
             wanted: origin,
             marks: [mark; 4],
             motion: Motion::Dragging,
+            followed: R::ZERO,
         }
     }
 
@@ -131,45 +137,66 @@ impl<R: Real> Guide<R> {
         let way = (self.wanted.0[0] - self.origin.0[0]).magnitude();
         let rising = (x < R::ZERO) == (speed > R::ZERO);
         let climb = reach.tent.height(R::ZERO) - reach.tent.height(x);
-        let enough = speed * speed * R::of(0.5) > R::of(SLOPE_PULL) * climb;
+        // Past the peak there is nothing left to climb; the leaf may still lag behind on the other side.
+        let enough = !rising || speed * speed * R::of(0.5) > R::of(SLOPE_PULL) * climb;
         let meant =
             speed.magnitude() > R::of(LEAST_SPEED) && way > reach.tent.radius * R::of(LEAST_WAY);
         self.motion = Motion::Following(speed);
-        meant && rising && enough
+        meant && enough
     }
 
-    /// Moves the target by one step of `h` seconds. Answers the target within the leash of `node`, whether
-    /// the leash held it back, and whether the hand still holds.
+    /// Moves the target by one step of `h` seconds. Answers the target as near `node` as the leash asks,
+    /// whether the leash held it back, and whether the hand still holds.
+    ///
+    /// The leash runs along the tent: a target far ahead leads the node over the peak, not through the block.
     pub fn advance(&mut self, node: V3<R>, reach: &Reach<R>, h: R) -> (V3<R>, bool, bool) {
+        let tent = &reach.tent;
+        let here = node.0[0] - tent.root;
         let holds = match self.motion {
             Motion::Dragging => true,
-            Motion::Following(speed) => self.follow(speed, reach, h),
+            Motion::Following(speed) => self.follow(speed, here, reach, h),
         };
-        let away = self.wanted - node;
-        let distance = away.norm();
         let leash = R::of(LEASH);
-        if distance > leash {
-            (node + away * (leash / distance), true, holds)
-        } else {
-            (self.wanted, false, holds)
-        }
+        let asked = self.wanted.0[0] - tent.root;
+        let x = asked.larger(here - leash).smaller(here + leash);
+        let z = self.wanted.0[2].larger(node.0[2] - leash).smaller(node.0[2] + leash);
+        let held_back = x != asked || z != self.wanted.0[2];
+        let target = if held_back { V3([tent.root + x, tent.height(x), z]) } else { self.wanted };
+        (target, held_back, holds)
     }
 
-    fn follow(&mut self, speed: R, reach: &Reach<R>, h: R) -> bool {
+    /// Runs on along the tent. Answers false once the node itself is over, or nothing drives it any more.
+    fn follow(&mut self, speed: R, here: R, reach: &Reach<R>, h: R) -> bool {
         let tent = &reach.tent;
         let limit = tent.reach();
         let x = self.wanted.0[0] - tent.root;
         let uphill = if (x < R::ZERO) == (speed > R::ZERO) { R::of(-1.0) } else { R::of(1.0) };
         let slope = tent.height(R::ZERO) / limit;
-        let faster =
-            (speed.magnitude() + uphill * R::of(SLOPE_PULL) * slope * h).larger(R::of(LEAST_SPEED));
+        let faster = (speed.magnitude() + uphill * R::of(SLOPE_PULL) * slope * h).larger(R::of(LEAST_SPEED));
         let sign = if speed < R::ZERO { R::of(-1.0) } else { R::of(1.0) };
         let next = clamp(x + sign * faster * h, limit);
         let [tail, head] = tent.sideways(next);
         let dz = (self.wanted.0[2] - self.origin.0[2]).smaller(tail).larger(-head);
         self.wanted = V3([tent.root + next, tent.height(next), self.origin.0[2] + dz]);
         self.motion = Motion::Following(sign * faster);
-        sign * next < limit * R::of(BEYOND)
+        self.followed = self.followed + h;
+        sign * here < limit * R::of(BEYOND) && self.followed < R::of(LONGEST)
+    }
+
+    /// Adds everything that decides the hand's future to a state hash.
+    pub fn hash(&self, hash: &mut Fnv) {
+        hash.word(u64::from(self.id) | (self.node.0 as u64) << 8 | (self.node.1 as u64) << 24);
+        let places = [self.origin, self.lag, self.wanted];
+        places.iter().flat_map(|v| v.0).for_each(|c| hash.real(c));
+        for mark in &self.marks {
+            hash.word(mark.t_us);
+            hash.real(mark.x);
+        }
+        match self.motion {
+            Motion::Dragging => hash.word(0),
+            Motion::Following(speed) => hash.real(speed),
+        }
+        hash.real(self.followed);
     }
 
     /// The finger still leads.

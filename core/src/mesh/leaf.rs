@@ -41,7 +41,7 @@ pub(super) fn write<R: Real, G: Grid>(
     let clear = Clear::new(book.binding().profiles(book.blocks()), half);
     across(leaf, &clear, up);
     along::<G>(up, down);
-    normals(down, rows);
+    normals(down, rows, 1.0);
     let pen =
         Pen { half: half.narrow(), metres: book.units().metres as f32, columns, rows };
     let mut line = Polyline::new();
@@ -52,6 +52,8 @@ pub(super) fn write<R: Real, G: Grid>(
         at.offset(down, -1.0, &pen, &mut line);
         pen.draw(&at, down, -1.0, &line);
     }
+    normals(up, rows, 1.0);
+    normals(down, rows, -1.0);
     pen.rim(up, down, rim);
 }
 
@@ -113,8 +115,13 @@ fn direction(i: usize, n: usize, p: impl Fn(usize) -> V3<f32>) -> V3<f32> {
     }
 }
 
-/// Normals of the refined net, from the positions around each vertex.
-fn normals(net: &mut [Vertex], rows: usize) {
+/// Normals of the refined net, from the positions around each vertex, on one side of it.
+///
+/// # Hard case
+///
+/// The direction across is the sum of two chords of nearly equal length, so it agrees with both however
+/// sharply they fold.
+fn normals(net: &mut [Vertex], rows: usize, side: f32) {
     let columns = net.len() / rows.max(1);
     for j in 0..columns {
         for r in 0..rows {
@@ -123,7 +130,7 @@ fn normals(net: &mut [Vertex], rows: usize) {
             };
             let a = direction(j, columns, |j| p(j, r));
             let b = direction(r, rows, |r| p(j, r));
-            let n = unit(a.cross(b), V3([0.0, 1.0, 0.0]));
+            let n = unit(a.cross(b) * side, V3([0.0, side, 0.0]));
             if let Some(v) = net.get_mut(j * rows + r) {
                 v.normal = n.0;
             }
@@ -161,7 +168,7 @@ impl Row {
         {
             s += step;
             let n = V3(here.normal);
-            let turned = (s / (2.0 * pen.half)).smaller(1.0);
+            let turned = (s / pen.half).smaller(1.0);
             let level = V3([-1.0, 0.0, 0.0]);
             let out = unit(level * (1.0 - turned) + n * turned, n);
             let p = V3(here.position) + out * (side * pen.half);

@@ -16,7 +16,7 @@ use crate::shadow::SkyShare;
 /// Pixels between two grid points.
 pub(crate) const STRIDE: usize = 4;
 /// A grid point whose answer strays this far from the mean of its neighbours' stands at a contact.
-const BEND: f32 = 0.012;
+const BEND: f32 = 0.05;
 /// Grid points that differ by more are not averaged.
 const SPREAD: f32 = 0.2;
 
