@@ -1,5 +1,6 @@
 //! What the tests share.
 
+pub mod case;
 pub mod gesture;
 pub mod watch;
 pub mod dense;

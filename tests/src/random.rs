@@ -26,7 +26,7 @@ impl Pcg {
     }
     /// A number of `least..greatest`, evenly.
     pub fn within(&mut self, least: f64, greatest: f64) -> f64 {
-        least + (greatest - least) * f64::from(self.word()) / 4_294_967_296.0
+        least + (greatest - least) * (self.long() >> 11) as f64 / (1_u64 << 53) as f64
     }
     /// A number below `count`.
     pub fn below(&mut self, count: usize) -> usize {

@@ -63,6 +63,8 @@ pub struct Watch {
     pub events: Vec<Event>,
     /// The first picture in which everything slept after the last time it did not.
     pub rest: Option<u32>,
+    /// Highest a node of the last leaf seen was above the thicker block, page widths.
+    pub gap: f64,
     /// First complaint about a state no book may be in.
     pub complaint: Option<String>,
 }
@@ -85,9 +87,11 @@ impl Watch {
     }
 
     fn stretch<R: Real, G: Grid>(&mut self, book: &Book<R, G>) {
-        if book.leaf().is_none() {
-            return;
-        }
+        let Some(leaf) = book.leaf() else { return };
+        let [left, right] = book.binding().thickness();
+        let nodes = (0..G::NX).flat_map(|i| (0..G::NZ).map(move |k| (i, k)));
+        let top = nodes.fold(R::ZERO, |m, (i, k)| m.larger(leaf.x.at(i, k).0[1]));
+        self.gap = (top - left.larger(right)).wide() / 12.0;
         let s = book.stretch();
         self.air.take(s.max().wide(), s.rms().wide());
         if book.held().is_some() {

@@ -39,6 +39,8 @@ pub struct Book<R: Real, G: Grid> {
     h: R,
     /// `e^(-c h)`.
     keep: R,
+    /// The same with the air under a landing leaf.
+    keep_squeezed: R,
     gravity: V3<R>,
     seed: u64,
     camera: Camera<R>,
@@ -60,6 +62,8 @@ pub struct Book<R: Real, G: Grid> {
     still_us: u64,
     /// Nudges since the leaf was last seen off its edge.
     nudges: u32,
+    /// Extra weight, in weights of the leaf, that lays a landed leaf flat.
+    press: R,
     asleep: bool,
     solver: Solver<R, G>,
     before: Field<R, G>,
@@ -143,6 +147,7 @@ impl<R: Real, G: Grid> Book<R, G> {
         hash.word(flags | u64::from(self.nudges) << 8);
         hash.word(u64::from(self.binding.leaves[0]) | u64::from(self.binding.held) << 32);
         hash.word(self.still_us);
+        hash.real(self.press);
         if let Some(guide) = &self.guide {
             guide.hash(&mut hash);
         }
@@ -177,6 +182,7 @@ impl<R: Real, G: Grid> Book<R, G> {
         self.asleep = false;
         self.still_us = 0;
         self.nudges = 0;
+        self.press = R::ZERO;
     }
 }
 

@@ -19,6 +19,8 @@ const SETTLING: u32 = 600;
 /// Steps it takes at least, and the speed below which it has come to rest, model units/s.
 const LEAST_SETTLING: u32 = 10;
 const SETTLED: f64 = 1e-3;
+/// Rate at which the air between a leaf and the block it lands on takes speed, 1/s.
+const SQUEEZE: f64 = 12.0;
 /// How far a board stands out beyond the leaves, model units.
 const SQUARE: f64 = 0.3;
 /// Mass of a board, in leaves.
@@ -66,6 +68,7 @@ impl<R: Real, G: Grid> Book<R, G> {
         step_us: 16_667,
         h: R::ZERO,
         keep: R::ZERO,
+        keep_squeezed: R::ZERO,
         gravity: V3([R::ZERO; 3]),
         seed: 0,
         camera: Camera {
@@ -92,6 +95,7 @@ impl<R: Real, G: Grid> Book<R, G> {
         owed_us: 0,
         still_us: 0,
         nudges: 0,
+        press: R::ZERO,
         asleep: true,
         solver: Solver::ZERO,
         before: Field::ZERO,
@@ -170,6 +174,7 @@ impl<R: Real, G: Grid> Book<R, G> {
         let h = f64::from(world.step_us) * 1e-6 / f64::from(self.settings.substeps);
         self.h = R::of(h);
         self.keep = R::of(-world.damping_per_s * h).exponential();
+        self.keep_squeezed = R::of(-(world.damping_per_s + SQUEEZE) * h).exponential();
         self.gravity = V3(world.gravity.map(|g| R::of(self.units.length(g))));
     }
 

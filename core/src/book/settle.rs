@@ -12,6 +12,13 @@ use crate::step::StepReport;
 const STILL: f64 = 0.15;
 /// How long it has to be, microseconds.
 const STILL_US: u64 = 120_000;
+/// A leaf floating without weight sleeps after this long, microseconds.
+const FLOATING_US: u64 = 1_000_000;
+/// Most extra weight that lays a landed leaf flat, in its own weights, and how fast it grows, 1/s.
+const PRESS: f64 = 24.0;
+const PRESSING: f64 = 60.0;
+/// A landed leaf faster than this, model units/s, is not pressed yet.
+const CALM: f64 = 12.0;
 /// Slower than this and upright, it is balanced.
 const BALANCED: f64 = 1.0;
 /// Half width of the zone over the spine where it can balance, model units.
@@ -34,12 +41,36 @@ impl<R: Real, G: Grid> Book<R, G> {
         if self.still_us < STILL_US {
             return;
         }
-        if self.active && self.guide.is_none() && (self.leaning() || !self.upright()) {
+        if self.guide.is_some() {
+            return;
+        }
+        let flat = self.press >= R::of(PRESS) || self.leaning();
+        if self.active && flat {
             self.merge();
         }
-        if self.guide.is_none() {
+        if !self.active || self.still_us >= FLOATING_US {
             self.fall_asleep();
         }
+    }
+
+    /// A leaf let go that has landed is pressed flat, a little more each step. Answers whether it has landed.
+    ///
+    /// The block is the extrusion of one curve and cannot bulge where a leaf comes out of the gutter, so a leaf
+    /// that merged as it lies would jump. Pressed by some times its own weight it lies where the block's top is.
+    pub(super) fn lay_down(&mut self) -> bool {
+        let landed = self.guide.is_none() && (self.landed() || self.rests_on_its_foot());
+        if !landed {
+            self.press = R::ZERO;
+        } else if self.leaf.fastest() < R::of(CALM) {
+            self.press = (self.press + self.h * R::of(PRESSING)).smaller(R::of(PRESS));
+        }
+        landed
+    }
+
+    /// A stiff leaf may come to rest well above its block, held up where it leaves the gutter.
+    fn rests_on_its_foot(&self) -> bool {
+        let level = self.gravity.0[1] < R::ZERO;
+        level && !self.upright() && (self.press > R::ZERO || self.leaf.fastest() < R::of(BALANCED))
     }
 
     fn still(&self) -> bool {

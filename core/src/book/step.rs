@@ -93,13 +93,7 @@ impl<R: Real, G: Grid> Book<R, G> {
 
     /// The leaf: solve, collide, velocities, and the guard that keeps the last good pose.
     fn step_leaf(&mut self, report: &mut StepReport) {
-        let ask = Ask {
-            h: self.h,
-            keep: self.keep,
-            gravity: self.gravity,
-            root: Root::Hinge,
-            grab: self.grab,
-        };
+        let ask = self.ask();
         self.before.copy_from(&self.leaf.x);
         let mut own = nothing();
         self.solver.step(&self.sheet, &mut self.leaf, &ask, self.settings.newton, &mut own);
@@ -124,6 +118,18 @@ impl<R: Real, G: Grid> Book<R, G> {
             self.velocities();
         }
         report.add(&own);
+    }
+
+    /// What the leaf's step is asked: air and weight are those of a landing leaf once it lies.
+    fn ask(&mut self) -> Ask<R> {
+        let landing = self.lay_down();
+        Ask {
+            h: self.h,
+            keep: if landing { self.keep_squeezed } else { self.keep },
+            gravity: self.gravity * (R::of(1.0) + self.press),
+            root: Root::Hinge,
+            grab: self.grab,
+        }
     }
 
     /// Back to the pose before the step, at rest, free of contacts.

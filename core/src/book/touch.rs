@@ -13,6 +13,8 @@ use crate::step::StepReport;
 
 /// A press within this distance of the leaf in the air catches it again, model units.
 const CATCH: f64 = 2.5;
+/// A press this far beyond a page's edge, as a share of its size, still means the page.
+const MARGIN: f64 = 1.1;
 /// How far a leaf just taken up is moved off its block to find what touches it, model units.
 const SKIN: f64 = 1e-3;
 /// A leaf whose free edge is lower than this above its block has as good as landed.
@@ -61,7 +63,7 @@ impl<R: Real, G: Grid> Book<R, G> {
     }
 
     /// The free edge of the leaf is about where it will rest.
-    fn landed(&self) -> bool {
+    pub(super) fn landed(&self) -> bool {
         let profiles = self.binding.profiles(&self.blocks);
         let tip = self.tip();
         let side = &profiles[usize::from(tip.0[0] >= R::ZERO)];
@@ -81,8 +83,9 @@ impl<R: Real, G: Grid> Book<R, G> {
         let top = V3([R::ZERO, left.larger(right), R::ZERO]);
         let Some(met) = ray.meet(top, V3([R::ZERO, R::of(1.0), R::ZERO])) else { return false };
         let from_right = met.0[0] > self.binding.root().0[0];
-        let width = R::of(crate::scene::units::WIDTH * 1.2);
-        if met.0[0].magnitude() > width + self.binding.half() {
+        let width = R::of(crate::scene::units::WIDTH * MARGIN);
+        let height = R::of(0.5 * self.units.length(self.spec.height_m) * MARGIN);
+        if met.0[0].magnitude() > width + self.binding.half() || met.0[2].magnitude() > height {
             return false;
         }
         self.take_up(from_right, leaves)

@@ -130,7 +130,7 @@ fn normals(net: &mut [Vertex], rows: usize, side: f32) {
             };
             let a = direction(j, columns, |j| p(j, r));
             let b = direction(r, rows, |r| p(j, r));
-            let n = unit(a.cross(b) * side, V3([0.0, side, 0.0]));
+            let n = unit((a * 1e4).cross(b * (1e4 * side)), V3([0.0, side, 0.0]));
             if let Some(v) = net.get_mut(j * rows + r) {
                 v.normal = n.0;
             }

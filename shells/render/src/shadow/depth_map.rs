@@ -1,6 +1,6 @@
 //! A small picture of nearness, and the question whether anything is nearer.
 
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
 use crate::fast::{ceil, floor};
 
@@ -75,19 +75,25 @@ impl Sides {
 /// Share of the light that passes at (`x`, `y`) texels: the four texels around are asked and their
 /// answers, not their depths, are blended. Outside the map nothing is in the way.
 ///
-/// `open(texel)` answers for one texel by its nearness, 0..1.
+/// `open(texel)` answers for one texel by its nearness, 0..1. `WINDOW` is `SIDE + 2`: what holds
+/// two texels of one row and the two below them.
 #[inline]
-pub(super) fn passes(map: &[f32], side: usize, x: f32, y: f32, open: impl FnMut(f32) -> f32) -> f32 {
-    let (x, y) = (x - 0.5, y - 0.5);
-    let edge = (side - 1) as f32;
+pub(super) fn passes<const SIDE: usize, const WINDOW: usize>(
+    map: &[f32],
+    at: Vec2,
+    mut open: impl FnMut(f32) -> f32,
+) -> f32 {
+    let (x, y) = (at.x - 0.5, at.y - 0.5);
+    let edge = (SIDE - 1) as f32;
     if !(x >= 0.0 && y >= 0.0 && x < edge && y < edge) {
         return 1.0;
     }
     let (column, row) = (x as i32, y as i32);
     let (fx, fy) = (x - column as f32, y - row as f32);
-    let at = row as usize * side + column as usize;
-    let [upper, lower] = [&map[at..at + 2], &map[at + side..at + side + 2]];
-    let four = [upper[0], upper[1], lower[0], lower[1]].map(open);
+    let first = row as usize * SIDE + column as usize;
+    let window = map.get(first..first + WINDOW).and_then(|w| <&[f32; WINDOW]>::try_from(w).ok());
+    let Some(w) = window else { return 1.0 };
+    let four = [open(w[0]), open(w[1]), open(w[SIDE]), open(w[SIDE + 1])];
     let a = four[0] + (four[1] - four[0]) * fx;
     let b = four[2] + (four[3] - four[2]) * fx;
     a + (b - a) * fy

@@ -95,6 +95,6 @@ impl Lamp {
 
     fn ask(&self, i: usize, place: Vec3, aside: glam::Vec2, open: impl FnMut(f32) -> f32) -> f32 {
         let at = place.truncate() + self.view.shift(i, place.z) + aside;
-        passes(&self.maps[i * SIDE * SIDE..(i + 1) * SIDE * SIDE], SIDE, at.x, at.y, open)
+        passes::<SIDE, { SIDE + 2 }>(&self.maps[i * SIDE * SIDE..(i + 1) * SIDE * SIDE], at, open)
     }
 }

@@ -163,8 +163,13 @@ impl View {
 
     /// What stands out by less than a texel hides only a part: a hard answer would show the steps
     /// of a steep surface in the coarse map.
+    #[inline]
     fn passes(&self, map: &[f32], p: Vec3, soft: f32) -> f32 {
         let at = self.project(p);
-        passes(map, SIDE, at.x, at.y, |t| (1.0 - (t - at.z) * soft).clamp(0.0, 1.0))
+        passes::<SIDE, { SIDE + 2 }>(map, at.truncate(), |t| {
+            let open = 1.0 + (at.z - t) * soft;
+            let open = if open < 1.0 { open } else { 1.0 };
+            if open > 0.0 { open } else { 0.0 }
+        })
     }
 }
