@@ -41,7 +41,11 @@ impl Sleeper {
             assert!(self.book.needs_frame(), "{why}: a sample waits");
             let report = self.book.advance(FRAME_US);
             let only = StepReport { refused: 1, ..StepReport::default() };
-            assert_eq!(report, only, "{why}: {:?} is refused, counted, and costs nothing", sample.phase);
+            assert_eq!(
+                report, only,
+                "{why}: {:?} is refused, counted, and costs nothing",
+                sample.phase
+            );
         }
         self.nothing_for(30, why);
     }
@@ -74,7 +78,11 @@ fn it_wakes_works_and_sleeps_again() {
                 slept.get_or_insert(worked);
             }
         });
-        assert_eq!(slept, Some(worked), "round {round}: it worked until it slept, and then no more");
+        assert_eq!(
+            slept,
+            Some(worked),
+            "round {round}: it worked until it slept, and then no more"
+        );
         let hash = core::mem::replace(&mut sleeper.hash, sleeper.book.state_hash());
         assert_ne!(hash, sleeper.hash, "round {round}: the hash tells one page from the next");
         let events: Vec<_> = core::iter::from_fn(|| sleeper.book.take_event()).collect();

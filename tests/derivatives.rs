@@ -327,9 +327,8 @@ impl<F: Fn(&mut [f64])> Potential for Spoilt<F> {
 #[test]
 fn a_wrong_gradient_is_caught() {
     let x = Pcg::new(10).numbers(15);
-    let spoilt = |how: fn(&mut [f64])| {
-        doubt(&Spoilt(Crossing { a: 1.0, b: 2.0, chi: 1.0 }, how), &x)
-    };
+    let spoilt =
+        |how: fn(&mut [f64])| doubt(&Spoilt(Crossing { a: 1.0, b: 2.0, chi: 1.0 }, how), &x);
     assert_eq!(spoilt(|_| ()), Ok(()), "the control itself is sound");
     assert!(matches!(spoilt(|g| g[4] = -g[4]), Err(Doubt::Differs(4, _))));
     assert!(matches!(spoilt(|g| g[14] *= 1.000_01), Err(Doubt::Differs(14, _))));

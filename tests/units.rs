@@ -109,8 +109,7 @@ fn cells<G: Grid>() -> [f64; 3] {
 fn stored<G: Grid>(paper: &PaperSpec, kappa_per_m: f64, askew: f64) -> f64 {
     let units = Units::of_leaf(SIZE_M[0], SIZE_M[1], paper.areal_mass_gsm);
     let kappa = kappa_per_m * units.metres;
-    let [x, z, twist, cell] =
-        bent(&sheet::<G>(paper, &units), |s, z| height(askew, kappa, s, z));
+    let [x, z, twist, cell] = bent(&sheet::<G>(paper, &units), |s, z| height(askew, kappa, s, z));
     let [nx, nz, nt] = cells::<G>();
     let per_area = (x / nx + z / nz + twist / nt) / cell;
     units.to_joules(per_area) / (units.metres * units.metres)

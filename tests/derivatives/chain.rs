@@ -70,9 +70,8 @@ fn system(strip: &Strip<f64, BLOCK>, free: &[f64]) -> (Dense, Vec<f64>) {
     let slope = |x: &[f64]| gradient(|x| energy(strip, x), x);
     let hessian = jacobian(slope, free);
     let (j, c) = (jacobian(|x| rows(strip, x), free), rows(strip, free));
-    let product = |n: usize, m: usize| {
-        j.chunks(FREE).map(|row| row[n] * row[m]).sum::<f64>() / ASK.delta
-    };
+    let product =
+        |n: usize, m: usize| j.chunks(FREE).map(|row| row[n] * row[m]).sum::<f64>() / ASK.delta;
     let matrix = (0..FREE * FREE).map(|n| hessian[n] + product(n / FREE, n % FREE)).collect();
     let push = |n: usize| j.chunks(FREE).zip(&c).map(|(row, c)| row[n] * c).sum::<f64>();
     let right = slope(free).iter().enumerate().map(|(n, g)| -g - push(n) / ASK.delta).collect();

@@ -33,7 +33,7 @@ fn each_dog_row_is_its_differences_by_all_five_nodes() {
         let expected = jacobian(|x| star(x).values(scales).to_vec(), &x);
         let found = star_rows(&x, scales);
         for (row, differences) in found.chunks(15).zip(expected.chunks(15)) {
-            assert_eq!(agree(row, differences, 1e-7), Ok(()), "at {x:?}");
+            assert_eq!(agree(row, differences, CLOSE), Ok(()), "at {x:?}");
         }
     }
 }

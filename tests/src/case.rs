@@ -94,7 +94,10 @@ impl Case {
         };
         if !right {
             let [l, c, b] = [lifted, committed, cancelled];
-            all.push(format!("{:?} was due, but {l} lifted, {c} committed, {b} cancelled", self.ends));
+            all.push(format!(
+                "{:?} was due, but {l} lifted, {c} committed, {b} cancelled",
+                self.ends
+            ));
         }
         match seen.rest {
             None => all.push("never at rest".into()),

@@ -8,3 +8,4 @@ pub mod differences;
 pub mod posed;
 pub mod random;
 pub mod stack;
+pub mod house;

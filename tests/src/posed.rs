@@ -7,11 +7,11 @@ use dogleaf_core::real::{Real, V2, V3};
 use dogleaf_core::scene::units::WIDTH;
 use dogleaf_core::scene::{PaperSpec, Units, Weights};
 use dogleaf_core::state::{Field, Grab, Leaf, Root, Sheet};
+use dogleaf_core::step::Ask;
 use dogleaf_core::step::assemble::assemble;
 use dogleaf_core::step::constant::Constant;
 use dogleaf_core::step::jacobian::Jacobian;
 use dogleaf_core::step::merit::merit;
-use dogleaf_core::step::Ask;
 
 /// Height of the leaf over its width.
 const TALL: f64 = 1.4;
@@ -45,8 +45,7 @@ impl<R: Real, G: Grid> Posed<R, G> {
         leaf.lay(sheet.spacing, places);
         let aim = leaf.x.clone();
         let h = R::of(1.0 / 60.0);
-        let ask =
-            Ask { h, keep: R::of(1.0), gravity: V3::zero(), root: Root::Hinge, grab: None };
+        let ask = Ask { h, keep: R::of(1.0), gravity: V3::zero(), root: Root::Hinge, grab: None };
         Self { sheet, leaf, aim, ask }
     }
 

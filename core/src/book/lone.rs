@@ -92,12 +92,15 @@ impl<R: Real, G: Grid> LoneLeaf<R, G> {
         let l = WIDTH / (G::NX - 1) as f64;
         let turn = self.spec.curl_per_m * self.units.metres * l;
         let (mut at, mut next) = ([0.0; 2], angle + 0.5 * turn);
-        self.leaf.lay(self.sheet.spacing, (0..G::NX).map(|_| {
-            let here = at;
-            at = [at[0] + l * next.cosine(), at[1] + l * next.sine()];
-            next += turn;
-            V2(here.map(R::of))
-        }));
+        self.leaf.lay(
+            self.sheet.spacing,
+            (0..G::NX).map(|_| {
+                let here = at;
+                at = [at[0] + l * next.cosine(), at[1] + l * next.sine()];
+                next += turn;
+                V2(here.map(R::of))
+            }),
+        );
     }
 
     /// Lets `dt_us` microseconds pass.

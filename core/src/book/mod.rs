@@ -143,13 +143,15 @@ impl<R: Real, G: Grid> Book<R, G> {
     /// Equal on every target for equal inputs. Time is left out, so it is constant while asleep.
     pub fn state_hash(&self) -> u64 {
         let mut hash = Fnv::default();
-        let flags = u64::from(self.active) | u64::from(self.asleep) << 1 | u64::from(self.binding.from_right) << 2;
+        let flags = u64::from(self.active)
+            | u64::from(self.asleep) << 1
+            | u64::from(self.binding.from_right) << 2;
         hash.word(flags | u64::from(self.nudges) << 8);
         hash.word(u64::from(self.binding.leaves[0]) | u64::from(self.binding.held) << 32);
         hash.word(self.still_us);
         hash.real(self.press);
         if let Some(guide) = &self.guide {
-            guide.hash(&mut hash);
+            guide.digest(&mut hash);
         }
         for strip in &self.blocks {
             for v in strip.x.iter().chain(&strip.v) {

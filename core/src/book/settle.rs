@@ -4,8 +4,8 @@ use super::Book;
 use crate::event::Event;
 use crate::grid::Grid;
 use crate::real::{Num, Real, V3};
-use crate::state::strip::Strip;
 use crate::scene::Direction;
+use crate::state::strip::Strip;
 use crate::step::StepReport;
 
 /// A leaf slower than this, model units/s, is still.

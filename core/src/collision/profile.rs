@@ -96,7 +96,10 @@ fn mitre<R: Real>(a: V2<R>, b: V2<R>) -> V2<R> {
 /// Places `count` steps of length `step` along a polyline, chord by chord: each is exactly `step` from the last.
 ///
 /// Paper laid over a rounded gutter spans it by straight edges; measured along the curve they would start compressed.
-pub fn stride<R: Real, const N: usize>(points: &[V2<R>; N], step: R) -> impl Iterator<Item = V2<R>> + '_ {
+pub fn stride<R: Real, const N: usize>(
+    points: &[V2<R>; N],
+    step: R,
+) -> impl Iterator<Item = V2<R>> + '_ {
     let start = points.first().copied().unwrap_or(V2::zero());
     let mut at = (start, R::ZERO);
     core::iter::once(start).chain(core::iter::repeat_with(move || {

@@ -172,19 +172,20 @@ impl<R: Real> Guide<R> {
         let x = self.wanted.0[0] - tent.root;
         let uphill = if (x < R::ZERO) == (speed > R::ZERO) { R::of(-1.0) } else { R::of(1.0) };
         let slope = tent.height(R::ZERO) / limit;
-        let faster = (speed.magnitude() + uphill * R::of(SLOPE_PULL) * slope * h).larger(R::of(LEAST_SPEED));
+        let faster =
+            (speed.magnitude() + uphill * R::of(SLOPE_PULL) * slope * h).larger(R::of(LEAST_SPEED));
         let sign = if speed < R::ZERO { R::of(-1.0) } else { R::of(1.0) };
         let next = clamp(x + sign * faster * h, limit);
         let [tail, head] = tent.sideways(next);
         let dz = (self.wanted.0[2] - self.origin.0[2]).smaller(tail).larger(-head);
         self.wanted = V3([tent.root + next, tent.height(next), self.origin.0[2] + dz]);
         self.motion = Motion::Following(sign * faster);
-        self.followed = self.followed + h;
+        self.followed += h;
         sign * here < limit * R::of(BEYOND) && self.followed < R::of(LONGEST)
     }
 
     /// Adds everything that decides the hand's future to a state hash.
-    pub fn hash(&self, hash: &mut Fnv) {
+    pub fn digest(&self, hash: &mut Fnv) {
         hash.word(u64::from(self.id) | (self.node.0 as u64) << 8 | (self.node.1 as u64) << 24);
         let places = [self.origin, self.lag, self.wanted];
         places.iter().flat_map(|v| v.0).for_each(|c| hash.real(c));

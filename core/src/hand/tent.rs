@@ -43,7 +43,9 @@ impl<R: Real> Tent<R> {
         let share = R::of(TAUT * TAUT);
         let limit = |far: R| {
             let left_sq = share * (self.radius * self.radius + far * far) - across_sq;
-            (left_sq.larger(R::ZERO).root() - far).larger(R::ZERO).smaller(self.radius * R::of(SIDEWAYS))
+            (left_sq.larger(R::ZERO).root() - far)
+                .larger(R::ZERO)
+                .smaller(self.radius * R::of(SIDEWAYS))
         };
         let [tail, head] = self.ends;
         [limit(head), limit(tail)]

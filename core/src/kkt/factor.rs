@@ -67,7 +67,9 @@ impl<R: Real, G: Grid> Factor<R, G> {
     fn fill(&mut self, s: &Stencil<R, G>) {
         self.panels.as_mut().fill(R::ZERO);
         for row in G::UNKNOWNS..G::ROWS {
-            if let Some(slot) = self.panels.as_mut().get_mut(Place::of::<G>(row / LANES).entry(row, row)) {
+            if let Some(slot) =
+                self.panels.as_mut().get_mut(Place::of::<G>(row / LANES).entry(row, row))
+            {
                 *slot = R::of(1.0);
             }
         }
@@ -216,8 +218,13 @@ fn times_transposed<R: Real>(tile: &Tile<R>, inverse: &Tile<R>) -> Tile<R> {
 /// Inverse of the Cholesky factor of one diagonal block, row by row, and how many pivots were replaced.
 #[inline(always)]
 fn invert_factor<R: Real>(block: &Tile<R>) -> (Tile<R>, u32) {
-    let mut work = Inversion { columns: block.map(|c| c.array()), rows: [R::Lanes::zero(); LANES], replaced: 0 };
-    let diagonal: [R; LANES] = core::array::from_fn(|j| block.get(j).map_or(R::ZERO, |c| lane::<R>(&c.array(), j)));
+    let mut work = Inversion {
+        columns: block.map(|c| c.array()),
+        rows: [R::Lanes::zero(); LANES],
+        replaced: 0,
+    };
+    let diagonal: [R; LANES] =
+        core::array::from_fn(|j| block.get(j).map_or(R::ZERO, |c| lane::<R>(&c.array(), j)));
     work.column::<0>(&diagonal);
     work.column::<1>(&diagonal);
     work.column::<2>(&diagonal);
@@ -260,7 +267,10 @@ impl<R: Real> Inversion<R> {
                 *c = (R::Lanes::from_array(*c) - R::Lanes::from_array(column) * factor).array();
             }
         }
-        let mut row = R::Lanes::from_array(core::array::from_fn(|m| if m == J { R::of(1.0) } else { R::ZERO }));
+        let mut row =
+            R::Lanes::from_array(core::array::from_fn(
+                |m| if m == J { R::of(1.0) } else { R::ZERO },
+            ));
         for (m, known) in self.rows.iter().enumerate() {
             if m < J {
                 let factor = self.columns.get(m).map_or(R::ZERO, |c| lane(c, J));

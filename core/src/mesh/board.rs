@@ -43,8 +43,7 @@ impl Profile {
 pub(super) fn write<R: Real, G: Grid>(book: &Book<R, G>, out: &mut [Vertex]) {
     let Some(boards) = book.boards() else { return };
     let metres = book.units().metres;
-    let [left, right] =
-        boards.each_ref().map(|b| Profile::new(b, (BOARD_M / metres) as f32));
+    let [left, right] = boards.each_ref().map(|b| Profile::new(b, (BOARD_M / metres) as f32));
     let form = |sign| Form {
         columns: 2,
         levels: 2,

@@ -82,7 +82,12 @@ impl<R: Real> Side<R> {
             let scale = R::Lanes::one() / R::Lanes::pick_less(signed, zero, -d, d + tiny);
             // Beside the binding, on the far side of the fan, there is no paper of this block.
             let beside = if n == 0 { to.0[0] } else { zero };
-            let signed = R::Lanes::pick_less(beside, zero, R::Lanes::pick_less(p.0[1], zero, R::Lanes::of(1e6), signed), signed);
+            let signed = R::Lanes::pick_less(
+                beside,
+                zero,
+                R::Lanes::pick_less(p.0[1], zero, R::Lanes::of(1e6), signed),
+                signed,
+            );
             let better = |new, old| R::Lanes::pick_less(d_sq, nearest_sq, new, old);
             height = better(signed, height);
             normal = V2([

@@ -15,8 +15,8 @@ use super::{Vertex, columns, spline};
 use crate::book::Book;
 use crate::grid::Grid;
 use crate::real::{LANES, Lanes, Num, Real, V3};
-use crate::state::Leaf;
 use crate::state::field::blocks;
+use crate::state::{Leaf, Sheet};
 
 /// What the sides of a leaf are drawn with.
 #[derive(Debug, Clone, Copy)]
@@ -28,22 +28,17 @@ struct Pen {
 }
 
 /// Fills the leaf's three parts.
-pub(super) fn write<R: Real, G: Grid>(
-    book: &Book<R, G>,
-    leaf: &Leaf<R, G>,
-    out: &mut [Vertex],
-) {
+pub(super) fn write<R: Real, G: Grid>(book: &Book<R, G>, leaf: &Leaf<R, G>, out: &mut [Vertex]) {
     let (columns, rows) = (Layout::<G>::COLUMNS, Layout::<G>::ROWS);
     let size = columns * rows;
     let Some((up, rest)) = out.split_at_mut_checked(size) else { return };
     let Some((down, rim)) = rest.split_at_mut_checked(size) else { return };
     let half = book.binding().half_held();
     let clear = Clear::new(book.binding().profiles(book.blocks()), half);
-    across(leaf, &clear, up);
+    across(book.sheet(), leaf, &clear, up);
     along::<G>(up, down);
     normals(down, rows, 1.0);
-    let pen =
-        Pen { half: half.narrow(), metres: book.units().metres as f32, columns, rows };
+    let pen = Pen { half: half.narrow(), metres: book.units().metres as f32, columns, rows };
     let mut line = Polyline::new();
     for row in 0..rows {
         let at = Row { row, rows };
@@ -58,13 +53,19 @@ pub(super) fn write<R: Real, G: Grid>(
 }
 
 /// Splines from spine to fore-edge through eight rows at a time.
-fn across<R: Real, G: Grid>(leaf: &Leaf<R, G>, clear: &Clear<R>, up: &mut [Vertex]) {
+fn across<R: Real, G: Grid>(
+    sheet: &Sheet<R, G>,
+    leaf: &Leaf<R, G>,
+    clear: &Clear<R>,
+    up: &mut [Vertex],
+) {
     const { assert!(G::NX <= spline::MOST && G::NZ <= spline::MOST) };
     let rows = Layout::<G>::ROWS;
     let mut slopes = [V3::zero(); spline::MOST];
     for k in blocks::<G>() {
         let node = |i: usize| leaf.x.rows(i, k, 0);
         spline::slopes(G::NX, node, &mut slopes);
+        spline::even_out(&mut slopes, R::Lanes::all(sheet.spacing[0]));
         let slope = |i: usize| slopes.get(i).copied().unwrap_or_else(V3::zero);
         let shares = columns::shares(Layout::<G>::COLUMNS - 1);
         for (share, column) in shares.zip(up.chunks_exact_mut(rows)) {
@@ -125,9 +126,8 @@ fn normals(net: &mut [Vertex], rows: usize, side: f32) {
     let columns = net.len() / rows.max(1);
     for j in 0..columns {
         for r in 0..rows {
-            let p = |j: usize, r: usize| {
-                net.get(j * rows + r).map_or(V3::zero(), |v| V3(v.position))
-            };
+            let p =
+                |j: usize, r: usize| net.get(j * rows + r).map_or(V3::zero(), |v| V3(v.position));
             let a = direction(j, columns, |j| p(j, r));
             let b = direction(r, rows, |r| p(j, r));
             let n = unit((a * 1e4).cross(b * (1e4 * side)), V3([0.0, side, 0.0]));
@@ -185,11 +185,7 @@ impl Pen {
         for ((share, step), slot) in columns::steps(self.columns - 1).zip(at.of_mut(net)) {
             let knot = walk.step(step);
             let u = if side > 0.0 { share } else { 1.0 - share };
-            *slot = Vertex {
-                position: (knot.p * self.metres).0,
-                normal: knot.n.0,
-                uv: [u, v],
-            };
+            *slot = Vertex { position: (knot.p * self.metres).0, normal: knot.n.0, uv: [u, v] };
         }
     }
 

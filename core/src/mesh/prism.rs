@@ -2,8 +2,8 @@
 //!
 //! Given in outward coordinates, as the midline is; mirrored for the left.
 
-use super::curve::unit;
 use super::Vertex;
+use super::curve::unit;
 use crate::real::{V2, V3};
 
 /// What all vertices of a body share.

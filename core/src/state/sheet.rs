@@ -28,7 +28,8 @@ impl<R: Real, G: Grid> Sheet<R, G> {
         self.spacing = [R::of(lx), R::of(lz)];
         self.delta = R::of(DELTA);
         let soft = Soft::of(paper, pull);
-        self.isometry = isometry(weights.iso_3d * soft.isometry, [lx, lz], [width / 10.0, height / 7.0]);
+        self.isometry =
+            isometry(weights.iso_3d * soft.isometry, [lx, lz], [width / 10.0, height / 7.0]);
         self.position = R::of(weights.position * soft.position);
         self.contact = R::of(CONTACT * soft.contact);
         let [a, b, c] = coefficients(paper, units, lx, lz);

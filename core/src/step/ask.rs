@@ -1,6 +1,6 @@
 //! What one step of the leaf is asked.
 
-use crate::real::{Real, V3};
+use crate::real::V3;
 use crate::state::{Grab, Root};
 
 /// What one step is asked: time step, forces, and what is held.

@@ -4,7 +4,7 @@ use crate::grid::Grid;
 use crate::kkt::Stencil;
 use crate::kkt::stencil::NEIGHBOURS;
 use crate::potential::bending;
-use crate::real::{Num, Real};
+use crate::real::Real;
 use crate::state::field::{Field, Heights, blocks};
 use crate::state::{Root, Sheet};
 

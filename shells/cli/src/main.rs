@@ -20,6 +20,9 @@ use clap::error::ErrorKind;
 use error::CliError;
 use std::process::ExitCode;
 
+#[global_allocator]
+static ALLOCATOR: bench::alloc::Counting = bench::alloc::Counting;
+
 /// Stack of the thread that works: the finest grid in `f64` is built on it.
 const STACK: usize = 256 << 20;
 

@@ -4,6 +4,8 @@ mod json;
 mod obj;
 mod summary;
 
+pub(crate) use json::Work;
+
 use crate::args::RunArgs;
 use crate::error::CliError;
 use crate::progress;

@@ -20,12 +20,12 @@
 //! which print on a bent page turns to grey or to glitter. All of that lies inside its one loop,
 //! which would have to be replaced whole.
 
-mod ambient;
 mod camera;
 mod environment;
 mod error;
 mod fast;
 mod hit;
+mod lattice;
 mod light;
 mod lighting;
 mod material;

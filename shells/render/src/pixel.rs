@@ -2,20 +2,21 @@
 
 use glam::{Vec2, Vec3};
 
-use crate::ambient::{self, Probe, STRIDE};
+
 use crate::hit::{Eye, Hit};
+use crate::lattice::{Known, Lattice, Probe, STRIDE};
 use crate::light::Lights;
-use crate::lighting::{self, Seen};
-use crate::material::{Optics, Sheet, Spot};
+use crate::lighting::{self, Light, Seen};
+use crate::material::{Paint, Spot};
 use crate::patch::Patch;
 use crate::raster::{Geometry, Grid, NONE, Triangle};
-use crate::shadow::{Lamp, Place, Sky, SkyShare};
+use crate::shadow::{Lamp, Place, Sky};
 
 /// Everything a pixel needs to know of the frame.
 #[derive(Debug)]
 pub(crate) struct Frame<'a, const N: usize> {
     pub(crate) patches: &'a [Patch<'a>],
-    pub(crate) sheets: &'a [Sheet],
+    pub(crate) paints: &'a [Paint],
     pub(crate) lights: &'a Lights,
     pub(crate) geometry: &'a Geometry,
     pub(crate) lamp: &'a Lamp,
@@ -38,11 +39,11 @@ struct Group {
 
 impl<const N: usize> Frame<'_, N> {
     /// The light of pixel (`x`, `y`), whose samples see the triangles `numbers`.
-    pub(crate) fn pixel(&self, numbers: &[u32], x: usize, y: usize, probes: &[Probe], columns: usize) -> Vec3 {
+    pub(crate) fn pixel(&self, numbers: &[u32], x: usize, y: usize, lattice: &Lattice) -> Vec3 {
         let corner = Vec2::new(x as f32, y as f32);
         let first = numbers[0];
         if numbers.iter().all(|&n| n == first) {
-            return self.surface(first, corner + 0.5, x, y, probes, columns);
+            return self.surface(first, corner + 0.5, x, y, lattice);
         }
         let mut groups = [Group { triangle: NONE, count: 0.0, places: Vec2::ZERO }; N];
         let mut used = 0;
@@ -60,7 +61,7 @@ impl<const N: usize> Frame<'_, N> {
             group.count += 1.0;
             group.places += place;
         }
-        let light = |g: &Group| self.surface(g.triangle, g.places / g.count, x, y, probes, columns) * g.count;
+        let light = |g: &Group| self.surface(g.triangle, g.places / g.count, x, y, lattice) * g.count;
         groups[..used].iter().map(light).sum::<Vec3>() / N as f32
     }
 
@@ -78,35 +79,34 @@ impl<const N: usize> Frame<'_, N> {
         &self.geometry.triangles[number as usize]
     }
 
-    fn surface(&self, number: u32, place: Vec2, x: usize, y: usize, probes: &[Probe], columns: usize) -> Vec3 {
+    fn surface(&self, number: u32, place: Vec2, x: usize, y: usize, lattice: &Lattice) -> Vec3 {
         if number == NONE {
             return self.background;
         }
         let triangle = self.triangle(number);
         let hit = Hit::new(self.geometry, triangle, place, &self.eye);
-        let sheet = self.sheets[triangle.patch as usize];
-        let optics = self.optics(triangle, &hit, sheet);
-        let known = ambient::between(probes, columns, x, y, triangle.patch, &hit);
-        let seen = Seen {
-            sky: known.sky.unwrap_or_else(|| self.sky_share(&hit, sheet)),
-            lamp: known.lamp.unwrap_or_else(|| self.lamp_share(&hit, sheet)),
+        let paint = &self.paints[triangle.patch as usize];
+        let light = match lattice.at(x, y, triangle.patch, &hit) {
+            Known::Light(light) => light,
+            Known::Sky(sky) => self.light(&hit, paint, Seen { sky, lamp: self.lamp_share(&hit, paint) }),
+            Known::Nothing => self.light(&hit, paint, self.seen(&hit, paint)),
         };
-        lighting::shine(&hit, &optics, self.lights, seen)
-    }
-
-    fn optics(&self, triangle: &Triangle, hit: &Hit, sheet: Sheet) -> Optics {
-        let material = &self.patches[triangle.patch as usize].material;
         let spot = Spot { position: hit.position, foot: hit.foot, pixel_m: hit.pixel_m, outside: hit.outside };
-        material.at(&spot, sheet)
+        light.on(&self.patches[triangle.patch as usize].material.at(&spot, paint.passing > 0.0))
     }
 
-    fn sky_share(&self, hit: &Hit, sheet: Sheet) -> SkyShare {
-        let thickness_m = (sheet.passing > 0.0).then_some(sheet.thickness_m);
-        self.sky.share(&Place { position: hit.position, normal: hit.normal, face: hit.face, thickness_m })
+    fn light(&self, hit: &Hit, paint: &Paint, seen: Seen) -> Light {
+        lighting::light(hit, paint, self.lights, seen)
     }
 
-    fn lamp_share(&self, hit: &Hit, sheet: Sheet) -> f32 {
-        lighting::lamp_share(hit, sheet, self.lights.point.position, self.lamp)
+    fn seen(&self, hit: &Hit, paint: &Paint) -> Seen {
+        let thickness_m = (paint.passing > 0.0).then_some(paint.thickness_m);
+        let place = Place { position: hit.position, normal: hit.normal, face: hit.face, thickness_m };
+        Seen { sky: self.sky.share(&place), lamp: self.lamp_share(hit, paint) }
+    }
+
+    fn lamp_share(&self, hit: &Hit, paint: &Paint) -> f32 {
+        lighting::lamp_share(hit, paint, self.lights.point.position, self.lamp)
     }
 
     /// What grid point (`column`, `row`) sees; `numbers` are those of the whole picture.
@@ -116,11 +116,11 @@ impl<const N: usize> Frame<'_, N> {
         if number == NONE {
             return Probe::NONE;
         }
-        let place = Vec2::new(x as f32, y as f32) + self.grid.place(0);
         let triangle = self.triangle(number);
-        let hit = Hit::new(self.geometry, triangle, place, &self.eye);
-        let sheet = self.sheets[triangle.patch as usize];
-        let seen = Seen { sky: self.sky_share(&hit, sheet), lamp: self.lamp_share(&hit, sheet) };
-        Probe { patch: triangle.patch, near: hit.near, normal: hit.normal, seen, straight: false }
+        let hit = Hit::new(self.geometry, triangle, Vec2::new(x as f32, y as f32) + self.grid.place(0), &self.eye);
+        let paint = &self.paints[triangle.patch as usize];
+        let seen = self.seen(&hit, paint);
+        let light = self.light(&hit, paint, seen);
+        Probe { patch: triangle.patch, near: hit.near, normal: hit.normal, seen, light }
     }
 }

@@ -9,12 +9,12 @@
 
 use glam::Vec3;
 
-use crate::ambient::{self, Probe};
 use crate::camera::Camera;
 use crate::error::RenderError;
 use crate::hit::Eye;
+use crate::lattice::Lattice;
 use crate::light::Lights;
-use crate::material::Sheet;
+use crate::material::Paint;
 use crate::parallel::{default_threads, for_each_part};
 use crate::patch::Patch;
 use crate::pixel::Frame;
@@ -54,7 +54,7 @@ pub struct Renderer {
     lamp: Lamp,
     sky: Sky,
     numbers: Vec<u32>,
-    probes: Vec<Probe>,
+    lattice: Lattice,
     tone: Tone,
     picture: Vec<u8>,
 }
@@ -91,7 +91,7 @@ impl Renderer {
             lamp: Lamp::default(),
             sky: Sky::default(),
             numbers: Vec::new(),
-            probes: Vec::new(),
+            lattice: Lattice::default(),
             tone: Tone::new(size.0, size.1),
             picture: vec![0; size.0 * size.1 * 3],
         })
@@ -154,10 +154,10 @@ impl Renderer {
     fn draw<const N: usize>(&mut self, camera: &Camera, lights: &Lights, patches: &[Patch<'_>], grid: Grid<N>) {
         let (width, height) = self.size;
         let pixel_at_1m = 2.0 * (camera.fov_y_rad * 0.5).tan() / height as f32;
-        let sheets: Vec<Sheet> = patches.iter().map(|p| p.material.sheet()).collect();
+        let paints: Vec<Paint> = patches.iter().map(|p| p.material.paint()).collect();
         let frame = Frame {
             patches,
-            sheets: &sheets,
+            paints: &paints,
             lights,
             geometry: &self.geometry,
             lamp: &self.lamp,
@@ -172,20 +172,19 @@ impl Renderer {
             draw_band(&self.geometry, &grid, band, width, numbers);
         });
         let t1=std::time::Instant::now();
-        let (columns, rows) = (ambient::points(width), ambient::points(height));
-        self.probes.resize(columns * rows, Probe::NONE);
-        for_each_part(self.threads, &mut self.probes, columns * 4, |band, probes| {
+        self.lattice.resize(width, height);
+        let columns = self.lattice.columns;
+        for_each_part(self.threads, &mut self.lattice.probes, columns * 4, |band, probes| {
             for (i, probe) in probes.iter_mut().enumerate() {
                 *probe = frame.probe(&self.numbers, self.size, i % columns, band * 4 + i / columns);
             }
         });
-        let straight: Vec<bool> = (0..self.probes.len()).map(|i| ambient::straight(&self.probes, columns, i)).collect();
-        self.probes.iter_mut().zip(straight).for_each(|(p, s)| p.straight = s);
+        self.lattice.judge();
         let t2=std::time::Instant::now();
         for_each_part(self.threads, &mut self.picture, width * 3, |y, row| {
             let numbers = self.numbers[y * width * N..(y + 1) * width * N].chunks_exact(N);
             for (x, (numbers, out)) in numbers.zip(row.chunks_exact_mut(3)).enumerate() {
-                let light = frame.pixel(numbers, x, y, &self.probes, columns);
+                let light = frame.pixel(numbers, x, y, &self.lattice);
                 out.copy_from_slice(&self.tone.pixel(light, x, y));
             }
         });

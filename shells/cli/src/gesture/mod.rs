@@ -3,7 +3,7 @@
 pub(crate) mod builtin;
 mod fixtures;
 mod lines;
-mod path;
+pub(crate) mod path;
 mod wild;
 
 pub(crate) use fixtures::write_all;

@@ -10,10 +10,16 @@ use dogleaf_core::real::Real;
 use dogleaf_core::scene::{Fidelity, LeafSpec};
 use dogleaf_core::step::StepReport;
 
-/// Slower than this, model units/s, a hanging leaf is at rest: a hundredth of a width in a second.
-const STILL: f64 = 0.02;
+/// Slower than this, model units/s, a hanging leaf is still: a six-thousandth of its width in a second.
+const STILL: f64 = 2e-3;
+/// How long it has to be, microseconds: a swinging leaf is still, too, when it turns.
+const STILL_US: u64 = 500_000;
 
-struct LeafSim<R: Real, G: Grid>(LoneLeaf<R, G>);
+struct LeafSim<R: Real, G: Grid> {
+    lone: LoneLeaf<R, G>,
+    /// When it last moved.
+    moved_us: u64,
+}
 
 /// Lays the leaf of a scene.
 pub(super) fn build<R: Real, G: Grid>(
@@ -21,8 +27,8 @@ pub(super) fn build<R: Real, G: Grid>(
     spec: &LeafSpec,
     fidelity: Fidelity,
 ) -> Result<Box<dyn Sim>, CliError> {
-    let mut sim = Box::new(LeafSim(LoneLeaf::<R, G>::EMPTY));
-    sim.0.open(spec, &scene.paper, &scene.world, fidelity)?;
+    let mut sim = Box::new(LeafSim { lone: LoneLeaf::<R, G>::EMPTY, moved_us: 0 });
+    sim.lone.open(spec, &scene.paper, &scene.world, fidelity)?;
     Ok(sim)
 }
 
@@ -32,19 +38,23 @@ impl<R: Real, G: Grid> Sim for LeafSim<R, G> {
     }
 
     fn step(&mut self) -> StepReport {
-        self.0.step()
+        let report = self.lone.step();
+        if self.lone.leaf().fastest().wide() > STILL {
+            self.moved_us = self.lone.now_us();
+        }
+        report
     }
 
     fn now_us(&self) -> u64 {
-        self.0.now_us()
+        self.lone.now_us()
     }
 
     fn resting(&self) -> bool {
-        self.0.now_us() > 0 && self.0.leaf().fastest().wide() < STILL
+        self.lone.now_us() >= self.moved_us + STILL_US
     }
 
     fn pose(&mut self) -> Pose {
-        let lone = &self.0;
+        let lone = &self.lone;
         Pose {
             hash: format!("{:016x}", lone.state_hash()),
             leaf: Some(LeafNodes::of(lone.leaf(), lone.units())),
@@ -64,6 +74,6 @@ impl<R: Real, G: Grid> Sim for LeafSim<R, G> {
     }
 
     fn bytes(&self) -> usize {
-        size_of_val(&self.0)
+        size_of_val(&self.lone)
     }
 }

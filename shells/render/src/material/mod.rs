@@ -67,37 +67,38 @@ impl Material<'_> {
         !matches!(self, Material::Table { .. })
     }
 
-    /// Share of light that passes, and how far it goes.
-    pub(crate) fn sheet(&self) -> Sheet {
+    /// What is the same all over a patch.
+    pub(crate) fn paint(&self) -> Paint {
         match *self {
-            Material::Paper { thickness_m, alpha, .. } => {
+            Material::Paper { thickness_m, alpha, tint, roughness, .. } => {
                 // Far below what a byte can show counts as nothing and saves the way to the far side.
                 let passing = passing(alpha, thickness_m);
                 let passing = if passing < 1e-3 { 0.0 } else { passing };
-                Sheet { passing, thickness_m: thickness_m.clamp(0.0, 0.001) }
+                Paint { pale: tint, roughness, passing, thickness_m: thickness_m.clamp(0.0, 0.001) }
             }
-            _ => Sheet::default(),
+            Material::PageEdges { tint, .. } => Paint::solid(tint, 0.9),
+            Material::Board { colour, roughness } => Paint::solid(colour, roughness),
+            Material::Table { colour, .. } => Paint::solid(colour, 0.8),
         }
     }
 
-    /// What the light needs to know at one point.
-    pub(crate) fn at(&self, spot: &Spot, sheet: Sheet) -> Optics {
+    /// Colours at one point; `thin` if light passes through.
+    pub(crate) fn at(&self, spot: &Spot, thin: bool) -> Optics {
         match *self {
-            Material::Paper { front, back, tint, roughness, .. } => {
+            Material::Paper { front, back, tint, .. } => {
                 let (near, far) = if spot.outside { (front, back) } else { (back, front) };
                 let foot = if spot.outside { spot.foot } else { spot.foot.mirrored() };
-                let print = near.map_or(Vec3::ONE, |t| t.sample(&foot));
+                let albedo = near.map_or(tint, |t| tint * t.sample(&foot));
+                // The paper blurs what shines through: the plain filter will do.
                 let reverse = match far {
-                    Some(t) if sheet.passing > 0.0 => t.sample(&foot.mirrored()),
+                    Some(t) if thin => t.sample_soft(&foot.mirrored()),
                     _ => Vec3::ONE,
                 };
-                Optics { albedo: tint * print, through: tint * tint * print * reverse, roughness, sheet }
+                Optics { albedo, through: tint * albedo * reverse }
             }
-            Material::PageEdges { leaves, tint } => Optics::solid(edges::colour(leaves, tint, &spot.foot), 0.9),
-            Material::Board { colour, roughness } => {
-                Optics::solid(colour * noise::cloth(spot.position, spot.pixel_m), roughness)
-            }
-            Material::Table { colour, grain } => table::optics(colour, grain, spot),
+            Material::PageEdges { leaves, tint } => Optics::solid(edges::colour(leaves, tint, &spot.foot)),
+            Material::Board { colour, .. } => Optics::solid(colour * noise::cloth(spot.position, spot.pixel_m)),
+            Material::Table { colour, grain } => Optics::solid(colour * table::shade(grain, spot)),
         }
     }
 }
@@ -118,32 +119,39 @@ pub(crate) struct Spot {
     pub(crate) outside: bool,
 }
 
-/// What a point of a surface does to light.
+/// Colours of a point on a surface.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Optics {
-    /// Colour of the light scattered back.
+    /// Of the light scattered back.
     pub(crate) albedo: Vec3,
-    /// Colour of the light let through.
+    /// Of the light let through.
     pub(crate) through: Vec3,
-    /// Perceived roughness.
-    pub(crate) roughness: f32,
-    /// How it lets light through.
-    pub(crate) sheet: Sheet,
 }
 
-/// How a material lets light through; the same all over a patch.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Sheet {
+impl Optics {
+    /// A surface that lets nothing through.
+    fn solid(albedo: Vec3) -> Self {
+        Self { albedo, through: Vec3::ZERO }
+    }
+}
+
+/// What of a material is the same all over a patch.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Paint {
+    /// Colour apart from print and grain.
+    pub(crate) pale: Vec3,
+    /// Perceived roughness.
+    pub(crate) roughness: f32,
     /// Share let through, `e^(-α t)`.
     pub(crate) passing: f32,
     /// Way to the far side, metres, at most a millimetre.
     pub(crate) thickness_m: f32,
 }
 
-impl Optics {
-    /// A surface that lets nothing through.
-    fn solid(albedo: Vec3, roughness: f32) -> Self {
-        Self { albedo, through: Vec3::ZERO, roughness, sheet: Sheet::default() }
+impl Paint {
+    /// Lets nothing through.
+    fn solid(pale: Vec3, roughness: f32) -> Self {
+        Self { pale, roughness, passing: 0.0, thickness_m: 0.0 }
     }
 }
 

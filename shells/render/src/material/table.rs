@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 use glam::{Vec2, Vec3};
 
 use super::noise::value;
-use super::{Optics, Spot};
+use super::Spot;
 use crate::fast::floor;
 use crate::texture::{Footprint, Texture};
 
@@ -19,16 +19,15 @@ const PATCH_M: Vec2 = Vec2::new(1.6, 0.8);
 
 static GRAIN: LazyLock<Option<Texture>> = LazyLock::new(draw);
 
-/// What the table does to light at `spot`.
-pub(super) fn optics(colour: Vec3, grain: f32, spot: &Spot) -> Optics {
-    let shade = match &*GRAIN {
+/// Colour of the table at `spot` around 1.
+pub(super) fn shade(grain: f32, spot: &Spot) -> Vec3 {
+    match &*GRAIN {
         Some(picture) if grain > 0.0 => {
             let wood = picture.sample_soft(&footprint(spot)) * 4.0;
             Vec3::ONE + (wood - 1.0) * grain.min(1.0)
         }
         _ => Vec3::ONE,
-    };
-    Optics::solid(colour * shade, 0.8)
+    }
 }
 
 /// Where the pixel lies in the picture.

@@ -130,23 +130,31 @@ fn fill<const N: usize>(tile: &mut Tile<'_>, triangle: &Triangle, number: u32, g
         let mut at = walks.each_ref().map(|w| w.at);
         for x in x0..=x1 {
             let (cell, pixel) = ((row + x) * N, (band_row + x) * N);
-            let depth: &mut [f32] = &mut tile.nearness[cell..cell + N];
-            let out: &mut [u32] = &mut tile.numbers[pixel..pixel + N];
+            let depth = &mut tile.nearness[cell..cell + N];
+            let out = &mut tile.numbers[pixel..pixel + N];
             let base = start + near.dx * (x - x0) as f32;
-            if (0..3).all(|e| at[e] + walks[e].most >= 0) {
-                let inside = (0..3).all(|e| at[e] + walks[e].least >= 0);
-                for s in 0..N {
-                    let covered = inside || (0..3).all(|e| at[e] + walks[e].samples[s] >= 0);
-                    let value = base + offsets[s];
-                    let wins = covered & (value > depth[s]);
-                    depth[s] = if wins { value } else { depth[s] };
-                    out[s] = if wins { number } else { out[s] };
-                }
+            if (0..3).all(|e| at[e] + walks[e].least >= 0) {
+                nearest(depth, out, |s| base + offsets[s], number);
+            } else if (0..3).all(|e| at[e] + walks[e].most >= 0) {
+                let outside = f32::NEG_INFINITY;
+                let covered = |s: usize| (0..3).all(|e| at[e] + walks[e].samples[s] >= 0);
+                nearest(depth, out, |s| if covered(s) { base + offsets[s] } else { outside }, number);
             }
             for e in 0..3 {
                 at[e] += walks[e].right;
             }
         }
         walks.iter_mut().for_each(|w| w.at += w.down);
+    }
+}
+
+/// Lets `number` have every sample where its nearness is the greatest so far.
+#[inline]
+fn nearest(depth: &mut [f32], out: &mut [u32], value: impl Fn(usize) -> f32, number: u32) {
+    for (s, (depth, out)) in depth.iter_mut().zip(out).enumerate() {
+        let value = value(s);
+        let wins = value > *depth;
+        *depth = if wins { value } else { *depth };
+        *out = if wins { number } else { *out };
     }
 }

@@ -11,14 +11,16 @@ pub(super) const EMPTY: f32 = -1.0e30;
 pub(super) fn fill(map: &mut [f32], side: usize, p: [Vec3; 3]) {
     let (low, high) = (p[0].min(p[1]).min(p[2]), p[0].max(p[1]).max(p[2]));
     let last = side as i32 - 1;
-    let whole = |x: f32| x.clamp(-4.0, 1e6);
-    let (first, end) = (ceil(whole(low.y - 0.5)).max(0), floor(whole(high.y - 0.5)).min(last));
-    if first > end || high.x < 0.0 || low.x > side as f32 {
+    if !(low.min_element() > -1e6 && high.max_element() < 1e6) {
+        return;
+    }
+    let (first, end) = (ceil(low.y - 0.5).max(0), floor(high.y - 0.5).min(last));
+    if first > end {
         return;
     }
     let (u, v) = (p[1] - p[0], p[2] - p[0]);
     let area = u.x * v.y - v.x * u.y;
-    if !(area.abs() > 1e-9 && area.abs() < 1e12) {
+    if area.abs() < 1e-9 {
         return;
     }
     let slope_x = (u.z * v.y - v.z * u.y) / area;
@@ -28,7 +30,7 @@ pub(super) fn fill(map: &mut [f32], side: usize, p: [Vec3; 3]) {
     for row in first..=end {
         let y = row as f32 + 0.5;
         let (from, to) = sides.span(y);
-        let (from, to) = (ceil(whole(from - 0.5)).max(0), floor(whole(to - 0.5)).min(last));
+        let (from, to) = (ceil(from - 0.5).max(0), floor(to - 0.5).min(last));
         if from > to {
             continue;
         }

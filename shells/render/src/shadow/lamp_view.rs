@@ -12,7 +12,7 @@ use crate::light::PointLight;
 /// Points of the disc.
 pub(super) const POINTS: usize = 16;
 /// Side of one map, texels.
-pub(super) const SIDE: usize = 576;
+pub(super) const SIDE: usize = 544;
 /// Places asked in each point's patch.
 pub(super) const TAPS: usize = 3;
 

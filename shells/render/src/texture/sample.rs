@@ -14,7 +14,7 @@ const MAX_TAPS: f32 = 8.0;
 /// Slightly finer levels than the footprint asks for; the samples are not box-shaped and text gains.
 const SHARPEN: f32 = -0.35;
 /// A blend of two levels closer than this to one of them reads only that one.
-const BLEND: f32 = 0.08;
+const BLEND: f32 = 0.2;
 
 /// What one pixel covers in the texture.
 #[derive(Debug, Clone, Copy, Default)]
@@ -45,7 +45,7 @@ impl Texture {
         if !(l < 1e9 && foot.uv.is_finite()) {
             return Vec3::ONE;
         }
-        let taps = ceil((l / s).min(MAX_TAPS).min(l.max(1.0)) - 0.1).max(1);
+        let taps = ceil((l / s).min(MAX_TAPS).min(l.max(1.0)) - 0.4).max(1);
         let (level, blend) = self.level((l / taps as f32).max(s.min(l)));
         let step = long / size / taps as f32;
         let mut uv = foot.uv - step * (0.5 * (taps - 1) as f32);

@@ -1,0 +1,178 @@
+//! Light at a coarse lattice of pixels, and between its points.
+//!
+//! Asking the shadow maps is dear, and most answers run smoothly. They are asked at every fourth pixel
+//! both ways. A pixel of a cell whose four corners lie on one surface, with light that runs straight
+//! through all of them, takes their mean; along outlines, where things touch and at sharp
+//! shadows, it asks for itself.
+//!
+//! A shadow that begins at the thing that throws it is never missed: the cell the thing ends in has
+//! a corner that does not fit, and every further cell the shadow reaches has a corner inside it.
+
+use glam::Vec3;
+
+use crate::hit::Hit;
+use crate::lighting::{Light, Seen};
+use crate::shadow::SkyShare;
+
+/// Pixels between two lattice points.
+pub(crate) const STRIDE: usize = 4;
+/// A share that strays this far from the mean of its neighbours' marks a contact or a sharp shadow.
+const BEND: f32 = 0.05;
+/// Corners that differ by more are not averaged.
+const SPREAD: f32 = 0.25;
+
+/// One lattice point: its surface, and its light.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Probe {
+    /// Patch of the surface seen there; `u32::MAX` for none.
+    pub(crate) patch: u32,
+    pub(crate) near: f32,
+    pub(crate) normal: Vec3,
+    pub(crate) seen: Seen,
+    pub(crate) light: Light,
+}
+
+impl Probe {
+    /// Nothing is seen here.
+    pub(crate) const NONE: Self = Self {
+        patch: u32::MAX,
+        near: 0.0,
+        normal: Vec3::Y,
+        seen: Seen { sky: SkyShare { front: 1.0, back: 1.0 }, lamp: 1.0 },
+        light: Light::NONE,
+    };
+
+    /// Whether this point lies on the surface with these properties.
+    fn fits(&self, patch: u32, near: f32, normal: Vec3) -> bool {
+        self.patch == patch && (self.near - near).abs() < 0.03 * near && self.normal.dot(normal) > 0.94
+    }
+
+    /// The three shares that decide.
+    fn shares(&self) -> [f32; 3] {
+        [self.seen.sky.front, self.seen.sky.back, self.seen.lamp]
+    }
+}
+
+/// How far a lattice point or a cell can be trusted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Trust {
+    /// Not at all.
+    Nothing,
+    /// What it sees of the room.
+    Sky,
+    /// All its light.
+    Light,
+}
+
+/// What the lattice knows of a pixel.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Known {
+    /// Its light.
+    Light(Light),
+    /// Only what it sees of the room.
+    Sky(SkyShare),
+    /// Nothing: it has to ask for itself.
+    Nothing,
+}
+
+/// The lattice of one frame.
+#[derive(Debug, Default)]
+pub(crate) struct Lattice {
+    /// Row by row; the last column and row lie on or beyond the picture's border.
+    pub(crate) probes: Vec<Probe>,
+    /// Points of a row.
+    pub(crate) columns: usize,
+    /// Trust of the cell each point is the upper left corner of.
+    cells: Vec<Trust>,
+}
+
+impl Lattice {
+    /// Makes room for a picture of this size.
+    pub(crate) fn resize(&mut self, width: usize, height: usize) {
+        let points = |pixels: usize| pixels.div_ceil(STRIDE) + 1;
+        self.columns = points(width);
+        self.probes.resize(self.columns * points(height), Probe::NONE);
+    }
+
+    /// Decides which cells can be trusted, once all points are known.
+    pub(crate) fn judge(&mut self) {
+        let points: Vec<Trust> = (0..self.probes.len()).map(|at| self.straight(at)).collect();
+        self.cells = (0..self.probes.len()).map(|at| self.cell(at, &points)).collect();
+    }
+
+    /// What the cell of pixel (`x`, `y`) tells of a place on `patch`.
+    pub(crate) fn at(&self, x: usize, y: usize, patch: u32, hit: &Hit) -> Known {
+        let at = y / STRIDE * self.columns + x / STRIDE;
+        let trust = self.cells[at];
+        if trust == Trust::Nothing || !self.probes[at].fits(patch, hit.near, hit.normal) {
+            return Known::Nothing;
+        }
+        let four = self.corners(at).map(|i| &self.probes[i]);
+        let part = |place: usize| (place % STRIDE) as f32 / STRIDE as f32;
+        let (fx, fy) = (part(x), part(y));
+        let weights = [(1.0 - fx) * (1.0 - fy), fx * (1.0 - fy), (1.0 - fx) * fy, fx * fy];
+        if trust == Trust::Light {
+            return Known::Light(blend(four, weights));
+        }
+        let mix = |pick: fn(&SkyShare) -> f32| four.iter().zip(weights).map(|(p, w)| w * pick(&p.seen.sky)).sum();
+        Known::Sky(SkyShare { front: mix(|s| s.front), back: mix(|s| s.back) })
+    }
+
+    fn corners(&self, at: usize) -> [usize; 4] {
+        [at, at + 1, at + self.columns, at + self.columns + 1]
+    }
+
+    /// How far the shares at a point lie on the line through its neighbours', both ways. Where the
+    /// surface ends on one side, the other neighbour must agree outright.
+    fn straight(&self, at: usize) -> Trust {
+        let me = &self.probes[at];
+        let column = at % self.columns;
+        let fitting = |inside: bool, other: usize| {
+            let other = if inside { self.probes.get(other) } else { None };
+            other.filter(|o| o.fits(me.patch, me.near, me.normal)).map(Probe::shares)
+        };
+        let across = [fitting(column > 0, at.wrapping_sub(1)), fitting(column + 1 < self.columns, at + 1)];
+        let down = [fitting(true, at.wrapping_sub(self.columns)), fitting(true, at + self.columns)];
+        let mine = me.shares();
+        let strays = |pair: &[Option<[f32; 3]>; 2], i: usize| match *pair {
+            [Some(a), Some(b)] => (0.5 * (a[i] + b[i]) - mine[i]).abs() > BEND,
+            [Some(a), None] | [None, Some(a)] => (a[i] - mine[i]).abs() > BEND,
+            [None, None] => false,
+        };
+        let bent = |i: usize| strays(&across, i) || strays(&down, i);
+        match (bent(0) || bent(1), bent(2)) {
+            (true, _) => Trust::Nothing,
+            (false, true) => Trust::Sky,
+            (false, false) => Trust::Light,
+        }
+    }
+
+    fn cell(&self, at: usize, points: &[Trust]) -> Trust {
+        let corners = self.corners(at);
+        if at % self.columns + 1 == self.columns || corners[3] >= self.probes.len() {
+            return Trust::Nothing;
+        }
+        let first = &self.probes[at];
+        let together = corners.iter().all(|&i| self.probes[i].fits(first.patch, first.near, first.normal));
+        let spread = |i: usize| {
+            let v = corners.map(|c| self.probes[c].shares()[i]);
+            v.iter().copied().fold(0.0, f32::max) - v.iter().copied().fold(1.0, f32::min)
+        };
+        if first.patch == u32::MAX || !together || spread(0) > SPREAD || spread(1) > SPREAD {
+            return Trust::Nothing;
+        }
+        let least = corners.iter().map(|&i| points[i]).min().unwrap_or(Trust::Nothing);
+        if spread(2) > SPREAD { least.min(Trust::Sky) } else { least }
+    }
+}
+
+/// Mean of four points' light.
+fn blend(four: [&Probe; 4], weights: [f32; 4]) -> Light {
+    let mut sum = Light::NONE;
+    for (probe, weight) in four.iter().zip(weights) {
+        sum.diffuse += probe.light.diffuse * weight;
+        sum.through += probe.light.through * weight;
+        sum.gloss += probe.light.gloss * weight;
+    }
+    sum
+}

@@ -1,0 +1,117 @@
+//! Promise: the rooms of the core import upwards only, effects never know one another, every file says
+//! first what it is for, and none is longer than 400 lines.
+
+use dogleaf_tests::house::{LONGEST, Rooms, Source, complaints, sources};
+use std::path::{Path, PathBuf};
+
+/// Folders with Rust of ours.
+const FOLDERS: [&str; 4] = ["core", "shells", "ci", "tests"];
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+fn files() -> Vec<Source> {
+    sources(&root(), &FOLDERS).expect("the repository can be read")
+}
+
+fn rooms() -> Rooms {
+    let files = files();
+    let lib = files.iter().find(|f| f.path == "core/src/lib.rs").expect("the core has a root");
+    Rooms::of(&lib.text)
+}
+
+/// A house of four rooms, two of its effects, and one file planted in it.
+fn planted(path: &str, text: &str) -> Vec<String> {
+    let lib = "//! Lib.\npub mod real;\npub mod state;\npub mod step;\npub mod effect;\npub mod book;\n\
+               pub use book::{Book, LoneLeaf};\n";
+    let sound = "//! Fine.\nuse crate::real::Real;\nuse super::field::Field;\n";
+    let files = [Source::new("core/src/state/leaf.rs", sound), Source::new(path, text)];
+    complaints(&files, &Rooms::of(lib))
+}
+
+fn one(complaints: &[String], what: &str) {
+    assert_eq!(complaints.len(), 1, "{complaints:?}");
+    assert!(complaints[0].contains(what), "{complaints:?}");
+}
+
+#[test]
+fn the_house_is_in_order() {
+    let found = complaints(&files(), &rooms());
+    assert!(found.is_empty(), "\n{}\n", found.join("\n"));
+}
+
+#[test]
+fn the_whole_house_was_searched() {
+    let files = files();
+    for folder in FOLDERS {
+        let count = files.iter().filter(|f| f.path.starts_with(folder)).count();
+        assert!(count > 5, "{folder} has {count} files");
+    }
+    let rooms = rooms();
+    let place = |name: &str| rooms.names().iter().position(|n| n == name).expect("a room");
+    let flow = ["real", "scene", "state", "potential", "kkt", "step", "collision", "book"];
+    assert!(flow.windows(2).all(|w| place(w[0]) < place(w[1])), "{rooms:?}");
+}
+
+#[test]
+fn a_planted_upward_import_is_caught_in_the_real_house() {
+    let mut files = files();
+    let sound = complaints(&files, &rooms()).len();
+    let bad = "//! Planted.\nuse crate::step::Solver;\n";
+    files.push(Source::new("core/src/potential/planted.rs", bad));
+    let found = complaints(&files, &rooms());
+    assert_eq!(found.len(), sound + 1);
+    assert!(found.iter().any(|c| c == "core/src/potential/planted.rs:2: imports step from below"));
+}
+
+#[test]
+fn an_import_from_below_is_caught_however_it_is_written() {
+    let place = "core/src/state/planted.rs";
+    for text in [
+        "//! P.\nuse crate::step::Solver;\n",
+        "//! P.\nuse crate::{real::Real, step::{leaf, merit}};\n",
+        "//! P.\nfn f() -> crate::step::Solver { todo!() }\n",
+        "//! P.\nuse super::super::step::Solver;\n",
+        "//! P.\nmacro_rules! m { () => { $crate::step::f() } }\n",
+    ] {
+        one(&planted(place, text), "imports step from below");
+    }
+    one(&planted("core/src/state/mod.rs", "//! P.\nuse super::step::Solver;\n"), "from below");
+    one(&planted(place, "//! P.\nuse crate::Book;\n"), "imports Book from below");
+    one(&planted(place, "//! P.\nuse crate::nowhere::Nothing;\n"), "is no room");
+}
+
+#[test]
+fn an_import_from_above_or_the_own_room_is_let_be() {
+    let fine = "//! Fine; see [`step`](crate::step).\n// crate::book\nuse crate::real::Real;\n\
+                use crate::state::{Field, leaf::Leaf};\nuse super::super::real::Num;\nuse super::merit;\n";
+    assert_eq!(planted("core/src/step/fine.rs", fine), Vec::<String>::new());
+    assert_eq!(planted("core/src/book/mod.rs", "//! F.\nuse crate::step;\n"), Vec::<String>::new());
+    assert_eq!(planted("shells/cli/src/main.rs", "//! F.\nuse crate::x;\n"), Vec::<String>::new());
+}
+
+#[test]
+fn an_effect_that_imports_another_is_caught() {
+    let place = "core/src/effect/tear/split.rs";
+    one(&planted(place, "//! P.\nuse crate::effect::sound::Mix;\n"), "imports another, sound");
+    let fine = "//! F.\nuse crate::effect::tear::Tip;\nuse crate::state::Leaf;\n";
+    assert_eq!(planted(place, fine), Vec::<String>::new());
+}
+
+#[test]
+fn a_missing_header_is_caught() {
+    one(&planted("tests/planted.rs", "use std::fs;\n"), "does not start with //!");
+    one(&planted("ci/src/planted.rs", "// Not a header.\n"), "does not start with //!");
+    one(&planted("shells/planted.rs", ""), "does not start with //!");
+}
+
+#[test]
+fn a_long_file_is_caught_unless_it_was_generated() {
+    let long = |header: &str, lines: usize| format!("{header}\n{}", "\n".repeat(lines - 1));
+    let place = "core/src/state/planted.rs";
+    one(&planted(place, &long("//! P.", LONGEST + 1)), "401 lines, more than 400");
+    assert_eq!(planted(place, &long("//! P.", LONGEST)), Vec::<String>::new());
+    let slots = long("//! GENERATED by `cargo ci slots`.", 2 * LONGEST);
+    assert_eq!(planted(place, &slots), Vec::<String>::new());
+}
