@@ -205,6 +205,19 @@ fn an_indefinite_matrix_is_counted_and_its_solution_finite() {
     on_every_grid!(survives_an_indefinite_matrix);
 }
 
+/// A pivot that is rounding's leavings is bad whether its row begins a panel or lies inside one.
+#[test]
+fn a_pivot_left_over_by_rounding_is_replaced_in_every_place_of_a_panel() {
+    let pairs = [(0, 1, 0), (1, 1, 0), (2, 2, 1), (4, 2, 1)];
+    for (node, later, earlier) in pairs {
+        let mut s = diagonal::<f64, G6x5>(|_| 1.0);
+        s.add(pair::SELF, later, earlier, 1, node, 1.0 - 1e-9);
+        s.add(pair::SELF, earlier, later, 1, node, 1.0 - 1e-9);
+        let (_, replaced) = solve(&s, &vec![1.0; G6x5::UNKNOWNS]);
+        assert_eq!(replaced, 1, "unknowns {} and {}", 3 * node + earlier, 3 * node + later);
+    }
+}
+
 #[test]
 fn the_count_of_bad_pivots_begins_anew() {
     let mut factor = Factor::<f64, G6x5>::ZERO;

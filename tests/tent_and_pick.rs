@@ -7,7 +7,7 @@ use dogleaf_core::hand::tent::Tent;
 use dogleaf_core::hand::view::Ray;
 use dogleaf_core::hand::{Camera, Guide, Reach, View};
 use dogleaf_core::real::V3;
-use dogleaf_core::scene::{PaperSpec, Units};
+use dogleaf_core::scene::{PaperSpec, SpecError, Units};
 use dogleaf_core::state::{Field, Leaf};
 use dogleaf_tests::posed::Posed;
 use dogleaf_tests::random::Pcg;
@@ -61,6 +61,18 @@ fn a_target_lies_within_the_rope_to_both_ends_of_the_spine() {
             }
         }
     });
+}
+
+/// Near the gutter of a thick book the top of a block is higher than the node is far from the spine.
+#[test]
+fn a_target_on_a_thick_block_lies_within_the_rope_too() {
+    for thickness in [0.3, 0.4, 0.7, 1.0, 3.0] {
+        let tent = Tent { root: 0.0, radius: 3.6, floor: [3.6 * thickness; 2], ends: [8.0; 2] };
+        for x in places(&tent).filter(|x| x.abs() <= tent.reach()) {
+            let [to_tail, to_head] = drawn(&tent, x, 0.0);
+            assert!(to_tail <= 1.0 && to_head <= 1.0, "{tent:?} at {x}: {to_tail}");
+        }
+    }
 }
 
 #[test]
@@ -264,4 +276,35 @@ fn the_picture_is_upright_and_not_mirrored() {
     assert!(at([1.0, 0.0, 0.0])[0] > at([-1.0, 0.0, 0.0])[0], "right is right");
     assert!(at([0.0, 0.0, -5.0])[1] < at([0.0, 0.0, 5.0])[1], "the head is at the top");
     assert!(at([0.0, 1.0, 0.0])[1] < at([0.0, 0.0, 0.0])[1], "up is up");
+}
+
+#[test]
+fn a_camera_that_sees_nothing_is_refused() {
+    let view = View::reading(0.13, 0.20, 960, 720);
+    let [x, y, z] = view.target_m;
+    let blind = [
+        View { eye_m: view.target_m, ..view },
+        View { eye_m: [x, y + 0.5, z - 0.0005], ..view },
+        View { fov_y_deg: 0.9, ..view },
+        View { fov_y_deg: 151.0, ..view },
+        View { width_px: 0, ..view },
+        View { height_px: 16_385, ..view },
+    ];
+    for view in blind {
+        assert_eq!(view.check(), Err(SpecError::OutOfRange("view")), "{view:?}");
+    }
+}
+
+#[test]
+fn a_camera_that_looks_along_an_axis_sees() {
+    let view = View::reading(0.13, 0.20, 960, 720);
+    let [x, y, z] = view.target_m;
+    for eye_m in [[x + 0.5, y, z], [x, y + 0.5, z], [x, y, z + 0.5], [x, y - 0.5, z]] {
+        let view = View { eye_m, ..view };
+        assert_eq!(view.check(), Ok(()), "{view:?}");
+        let camera = view.camera::<f64>(&Units { metres: 1.0, kilograms: 1.0 });
+        let square = [camera.right.dot(camera.up), camera.right.dot(camera.forward)];
+        assert!(square.iter().all(|c| c.abs() < 1e-12), "{camera:?}");
+        assert_eq!(camera.project(V3(view.target_m)), Some(camera.centre), "{view:?}");
+    }
 }

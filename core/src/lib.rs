@@ -13,8 +13,8 @@ pub mod step;
 pub mod collision;
 pub mod hand;
 pub mod event;
-pub mod mesh;
 pub mod book;
+pub mod mesh;
 pub mod record;
 
 pub use book::{Book, LoneLeaf};

@@ -26,6 +26,8 @@ pub enum Ends {
     Balanced,
     /// It may stay in the air, asleep: nothing draws it down.
     Hangs,
+    /// A leaf may be taken up or not.
+    Unlikely,
 }
 
 /// One hard case.
@@ -91,6 +93,7 @@ impl Case {
             Ends::Nothing => [lifted, committed, cancelled] == [0; 3],
             Ends::Balanced => lifted == committed + cancelled && lifted > 0,
             Ends::Hangs => lifted == 1 && committed + cancelled <= 1,
+            Ends::Unlikely => committed + cancelled <= lifted && lifted <= 1,
         };
         if !right {
             let [l, c, b] = [lifted, committed, cancelled];
@@ -121,7 +124,7 @@ pub struct Row {
 
 impl Row {
     /// Headings over [`Row`]'s columns.
-    pub const HEAD: &'static str = "case                                     real  end              rest s  mean max   worst  gap  worst status   kept  cuts clamp refus";
+    pub const HEAD: &'static str = "case                                     real  end              rest s  mean max   worst   gap  sunk  worst status   kept  cuts clamp refus";
 
     fn end(&self) -> String {
         let page = |p: u32| format!("page {p}");
@@ -142,9 +145,10 @@ impl core::fmt::Display for Row {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         let (s, w) = (&self.seen, &self.seen.work);
         let rest = self.rest_s.map_or_else(|| "-".into(), |s| format!("{s:.2}"));
-        let [mean, worst, gap] = [s.air.mean_max(), s.air.worst, s.gap].map(|v| 100.0 * v);
+        let [mean, worst] = [s.air.mean_max(), s.air.worst].map(|v| 100.0 * v);
+        let [gap, sunk] = [s.gap, s.sunk].map(|v| 100.0 * v);
         write!(f, "{:40} {:4}  {:15} {rest:>7}", self.name, self.real, self.end())?;
-        write!(f, "  {mean:6.2} % {worst:5.1} % {gap:4.0}  {:14}", self.worst_status().name())?;
+        write!(f, "  {mean:6.2} % {worst:5.1} % {gap:5.1} {sunk:5.2}  {:12}", self.worst_status().name())?;
         write!(f, " {:4} {:5} {:5} {:5}", s.kept(), w.cuts, w.clamped, w.refused)?;
         self.faults.iter().try_for_each(|what| write!(f, "  <- {what}"))
     }

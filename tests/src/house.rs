@@ -76,7 +76,9 @@ impl Rooms {
     pub fn of(lib: &str) -> Self {
         let mut rooms = Self { names: Vec::new(), lent: Vec::new() };
         for line in lib.lines().map(str::trim) {
-            if let Some(name) = line.strip_prefix("pub mod ").or(line.strip_prefix("mod ")) {
+            let room =
+                ["pub mod ", "pub(crate) mod ", "mod "].iter().find_map(|m| line.strip_prefix(m));
+            if let Some(name) = room {
                 rooms.names.push(name.trim_end_matches(';').into());
             } else if let Some((room, names)) =
                 line.strip_prefix("pub use ").and_then(|use_| use_.split_once("::"))

@@ -1,6 +1,7 @@
 //! What the tests share.
 
 pub mod case;
+pub mod depth;
 pub mod gesture;
 pub mod watch;
 pub mod dense;

@@ -1,5 +1,6 @@
 //! An eye on a book while it moves: what a test wants to know about a run, counted once for all tests.
 
+use crate::depth::deepest;
 use dogleaf_core::Book;
 use dogleaf_core::event::Event;
 use dogleaf_core::grid::Grid;
@@ -63,8 +64,10 @@ pub struct Watch {
     pub events: Vec<Event>,
     /// The first picture in which everything slept after the last time it did not.
     pub rest: Option<u32>,
-    /// Highest a node of the last leaf seen was above the thicker block, page widths.
+    /// Highest a node of the last leaf seen was above its block, page widths: what its merging smooths out.
     pub gap: f64,
+    /// Deepest a node of a leaf lay inside a block, page widths.
+    pub sunk: f64,
     /// First complaint about a state no book may be in.
     pub complaint: Option<String>,
 }
@@ -88,10 +91,11 @@ impl Watch {
 
     fn stretch<R: Real, G: Grid>(&mut self, book: &Book<R, G>) {
         let Some(leaf) = book.leaf() else { return };
-        let [left, right] = book.binding().thickness();
         let nodes = (0..G::NX).flat_map(|i| (0..G::NZ).map(move |k| (i, k)));
         let top = nodes.fold(R::ZERO, |m, (i, k)| m.larger(leaf.x.at(i, k).0[1]));
-        self.gap = (top - left.larger(right)).wide() / 12.0;
+        let side = usize::from(leaf.x.at(G::NX - 1, 0).0[0] > R::ZERO);
+        self.gap = (top - book.binding().thickness()[side]).wide() / 12.0;
+        self.sunk = self.sunk.max(deepest(book) / 12.0);
         let s = book.stretch();
         self.air.take(s.max().wide(), s.rms().wide());
         if book.held().is_some() {
@@ -132,9 +136,16 @@ pub fn fault<R: Real, G: Grid>(book: &Book<R, G>) -> Option<String> {
     if own != all {
         return Some(format!("{all} leaves of {own}"));
     }
+    if let Err(error) = book.spec().check() {
+        return Some(format!("open at page {}: {error}", book.spec().open_at));
+    }
     let leaf = book.leaf()?;
     if !(leaf.x.finite() && leaf.v.finite() && leaf.pushed.finite()) {
         return Some("the leaf is not finite".into());
+    }
+    let (sunk, half) = (deepest(book), book.binding().half_held().wide());
+    if sunk > half {
+        return Some(format!("{sunk:.4} deep in a block, half a leaf is {half:.4}"));
     }
     let s = book.stretch();
     let (least, most) = (1.0 + s.smallest.wide(), 1.0 + s.largest.wide());

@@ -64,6 +64,10 @@ pub struct Book<R: Real, G: Grid> {
     nudges: u32,
     /// Extra weight, in weights of the leaf, that lays a landed leaf flat.
     press: R,
+    /// The most of it; nothing with the seed's raw weights, whose leaf merges as it lies.
+    most_press: R,
+    /// The free leaf has come down on a block.
+    landed: bool,
     asleep: bool,
     solver: Solver<R, G>,
     before: Field<R, G>,
@@ -145,7 +149,7 @@ impl<R: Real, G: Grid> Book<R, G> {
         let mut hash = Fnv::default();
         let flags = u64::from(self.active)
             | u64::from(self.asleep) << 1
-            | u64::from(self.binding.from_right) << 2;
+            | u64::from(self.binding.from_right) << 2 | u64::from(self.landed) << 3;
         hash.word(flags | u64::from(self.nudges) << 8);
         hash.word(u64::from(self.binding.leaves[0]) | u64::from(self.binding.held) << 32);
         hash.word(self.still_us);
@@ -185,6 +189,7 @@ impl<R: Real, G: Grid> Book<R, G> {
         self.still_us = 0;
         self.nudges = 0;
         self.press = R::ZERO;
+        self.landed = false;
     }
 }
 

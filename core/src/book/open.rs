@@ -21,6 +21,8 @@ const LEAST_SETTLING: u32 = 10;
 const SETTLED: f64 = 1e-3;
 /// Rate at which the air between a leaf and the block it lands on takes speed, 1/s.
 const SQUEEZE: f64 = 12.0;
+/// Most extra weight that lays a landed leaf flat, in its own weights.
+const PRESS: f64 = 24.0;
 /// How far a board stands out beyond the leaves, model units.
 const SQUARE: f64 = 0.3;
 /// Mass of a board, in leaves.
@@ -102,6 +104,8 @@ impl<R: Real, G: Grid> Book<R, G> {
         still_us: 0,
         nudges: 0,
         press: R::ZERO,
+        most_press: R::ZERO,
+        landed: false,
         asleep: true,
         solver: Solver::ZERO,
         before: Field::ZERO,
@@ -127,6 +131,7 @@ impl<R: Real, G: Grid> Book<R, G> {
         view.check()?;
         self.spec = *spec;
         self.paper = *paper;
+        self.most_press = R::of(if paper.weights.is_some() { 0.0 } else { PRESS });
         self.units = Units::of_leaf(spec.width_m, spec.height_m, paper.areal_mass_gsm);
         self.set_world(world, fidelity);
         self.camera = view.camera(&self.units);

@@ -14,8 +14,7 @@ const STILL: f64 = 0.15;
 const STILL_US: u64 = 120_000;
 /// A leaf floating without weight sleeps after this long, microseconds.
 const FLOATING_US: u64 = 1_000_000;
-/// Most extra weight that lays a landed leaf flat, in its own weights, and how fast it grows, 1/s.
-const PRESS: f64 = 24.0;
+/// How fast the weight that lays a landed leaf flat grows, in its own weights, 1/s.
 const PRESSING: f64 = 60.0;
 /// A landed leaf faster than this, model units/s, is not pressed yet.
 const CALM: f64 = 12.0;
@@ -44,7 +43,7 @@ impl<R: Real, G: Grid> Book<R, G> {
         if self.guide.is_some() {
             return;
         }
-        let flat = self.press >= R::of(PRESS) || self.leaning();
+        let flat = self.leaning() || (self.landed && self.press >= self.most_press);
         if self.active && flat {
             self.merge();
         }
@@ -58,19 +57,19 @@ impl<R: Real, G: Grid> Book<R, G> {
     /// The block is the extrusion of one curve and cannot bulge where a leaf comes out of the gutter, so a leaf
     /// that merged as it lies would jump. Pressed by some times its own weight it lies where the block's top is.
     pub(super) fn lay_down(&mut self) -> bool {
-        let landed = self.guide.is_none() && (self.landed() || self.rests_on_its_foot());
-        if !landed {
+        self.landed = self.guide.is_none() && (self.low() || self.rests_on_its_foot());
+        if !self.landed {
             self.press = R::ZERO;
         } else if self.leaf.fastest() < R::of(CALM) {
-            self.press = (self.press + self.h * R::of(PRESSING)).smaller(R::of(PRESS));
+            self.press = (self.press + self.h * R::of(PRESSING)).smaller(self.most_press);
         }
-        landed
+        self.landed
     }
 
     /// A stiff leaf may come to rest well above its block, held up where it leaves the gutter.
     fn rests_on_its_foot(&self) -> bool {
         let level = self.gravity.0[1] < R::ZERO;
-        level && !self.upright() && (self.press > R::ZERO || self.leaf.fastest() < R::of(BALANCED))
+        level && !self.upright() && (self.landed || self.leaf.fastest() < R::of(BALANCED))
     }
 
     fn still(&self) -> bool {

@@ -41,7 +41,7 @@ impl<R: Real, G: Grid> Book<R, G> {
         }
         let ray = self.camera.ray(sample.x, sample.y);
         if self.active && !self.catches(&ray) {
-            if !self.landed() {
+            if !self.low() {
                 return false;
             }
             self.merge();
@@ -63,7 +63,7 @@ impl<R: Real, G: Grid> Book<R, G> {
     }
 
     /// The free edge of the leaf is about where it will rest.
-    pub(super) fn landed(&self) -> bool {
+    pub(super) fn low(&self) -> bool {
         let profiles = self.binding.profiles(&self.blocks);
         let tip = self.tip();
         let side = &profiles[usize::from(tip.0[0] >= R::ZERO)];

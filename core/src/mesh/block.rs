@@ -7,7 +7,7 @@
 use super::curve::{Knot, Polyline, unit};
 use super::layout::{LEVELS, Layout};
 use super::prism::{Form, Prism};
-use super::{Vertex, columns, spline};
+use super::{Vertex, spline};
 use crate::book::Book;
 use crate::grid::Grid;
 use crate::real::{Real, V2, V3};
@@ -44,9 +44,7 @@ pub(super) fn write<R: Real, G: Grid>(book: &Book<R, G>, on_right: bool, out: &m
             let forward = V3([knot.n.0[1], -knot.n.0[0], 0.0]);
             line.push(Knot { p: knot.p + knot.n * height, n: knot.n }, forward);
         }
-        let mut walk = line.walk();
-        for (column, (share, step)) in columns::steps(form.columns - 1).enumerate() {
-            let knot = walk.step(step);
+        for (column, (share, knot)) in line.pace(form.columns - 1).enumerate() {
             prism.set(column, level, share, knot.p.xy() + V2(end), knot.n.xy());
         }
     }

@@ -49,12 +49,12 @@ pub(super) fn shares(columns: usize) -> impl Iterator<Item = f64> {
     core::iter::once(0.0).chain(inner)
 }
 
-/// Share at each vertex and the way to it from the one before, model units.
-pub(super) fn steps(columns: usize) -> impl Iterator<Item = (f32, f32)> {
+/// Way to each vertex from the one before, model units; nothing to the first.
+pub(super) fn steps(columns: usize) -> impl Iterator<Item = f32> {
     let mut before = 0.0;
     shares(columns).map(move |share| {
         let step = (share - before) * WIDTH;
         before = share;
-        (share as f32, step as f32)
+        step as f32
     })
 }

@@ -1,12 +1,13 @@
 //! A polyline walked in steps of given length, so that what is drawn has the length paper has.
 //!
-//! Every step is measured straight from vertex to vertex, as the drawn edge is. Where the polyline ends
-//! too early its last segment goes on; where it is too long the rest is left out. Source: Book Sec. 3.5,
-//! "Segment length adaptation", which moves only the last vertex; the same where little has to be moved,
-//! but a stretch longer than the last segment does not turn it round.
+//! Where the polyline ends too early its last segment goes on; where it is too long the rest is left
+//! out. The little by which chords are shorter than the way along is given to the last segment. Source:
+//! Book Sec. 3.5, "Segment length adaptation", which moves only the last vertex; the same where little
+//! has to be moved, but a stretch longer than the last segment does not turn it round.
 
 use super::columns;
 use crate::real::{Num, V3};
+use crate::scene::units::WIDTH;
 
 /// Corners of a polyline at most: those of the longest row, or of a block's curve.
 const MOST: usize = columns::MOST;
@@ -51,17 +52,34 @@ impl Polyline {
         }
     }
 
-    /// A walk from the first corner.
-    pub(super) fn walk(&self) -> Walk<'_> {
+    /// The vertices of a row: share of the width at each, and the corner.
+    ///
+    /// The straight distances between them add up to the width of a page, whatever the polyline's length.
+    pub(super) fn pace(&self, columns: usize) -> impl Iterator<Item = (f32, Knot)> {
         let knots = self.knots.get(..self.count).unwrap_or_default();
-        let here = knots.first().copied().unwrap_or(Knot { p: V3([0.0; 3]), n: V3([0.0; 3]) });
-        Walk { knots, here, onward: self.onward }
+        let nothing = Knot { p: V3([0.0; 3]), n: V3([0.0; 3]) };
+        let here = knots.first().copied().unwrap_or(nothing);
+        let mut walk = Walk { knots, here, onward: self.onward };
+        let mut gone = 0.0;
+        columns::steps(columns).enumerate().map(move |(n, step)| {
+            let from = walk.here;
+            let mut to = walk.step(step);
+            let chord = (to.p - from.p).norm();
+            if n == columns {
+                let rest = WIDTH as f32 - gone;
+                to.p = from.p + (to.p - from.p) * (rest / chord.larger(1e-9));
+                gone = WIDTH as f32;
+            } else {
+                gone += chord;
+            }
+            (gone / WIDTH as f32, to)
+        })
     }
 }
 
 /// Where a walk has come.
 #[derive(Debug)]
-pub(super) struct Walk<'a> {
+struct Walk<'a> {
     /// The corners from the last one passed on.
     knots: &'a [Knot],
     here: Knot,
@@ -69,34 +87,28 @@ pub(super) struct Walk<'a> {
 }
 
 impl Walk<'_> {
-    /// Goes on to the first point of the polyline `step` away from here.
-    pub(super) fn step(&mut self, step: f32) -> Knot {
-        if step <= 0.0 {
-            return self.here;
-        }
-        while let [_, next, _, ..] = self.knots {
-            if (next.p - self.here.p).norm_sq() >= step * step {
-                break;
+    /// Goes on by `step`, measured along the polyline.
+    fn step(&mut self, step: f32) -> Knot {
+        let mut left = step;
+        while let [_, next, rest @ ..] = self.knots {
+            let away = next.p - self.here.p;
+            let length = away.norm();
+            if left <= length || rest.is_empty() {
+                let share = left / length.larger(1e-9);
+                let n = self.here.n + (next.n - self.here.n) * share.smaller(1.0);
+                self.here = Knot { p: self.here.p + away * share, n: unit(n, next.n) };
+                if length <= 0.0 {
+                    self.here.p = self.here.p + self.onward * left;
+                }
+                return self.here;
             }
+            left -= length;
+            self.here = *next;
             self.knots = self.knots.get(1..).unwrap_or_default();
         }
-        let (from, to) = match self.knots {
-            [from, to, ..] => (*from, *to),
-            _ => (self.here, Knot { p: self.here.p + self.onward, n: self.here.n }),
-        };
-        self.here = leave(self.here.p, step, from, to);
+        self.here.p = self.here.p + self.onward * left;
         self.here
     }
-}
-
-/// Where the ray from `from` through `to` leaves the ball of radius `step` around `centre`.
-fn leave(centre: V3<f32>, step: f32, from: Knot, to: Knot) -> Knot {
-    let (a, e) = (from.p - centre, to.p - from.p);
-    let (ee, ae) = (e.norm_sq().larger(1e-20), a.dot(e));
-    let inside = ae * ae - ee * (a.norm_sq() - step * step);
-    let t = (inside.larger(0.0).root() - ae) / ee;
-    let share = t.larger(0.0).smaller(1.0);
-    Knot { p: from.p + e * t, n: unit(from.n * (1.0 - share) + to.n * share, from.n) }
 }
 
 /// Unit length, or `otherwise` where there is none.

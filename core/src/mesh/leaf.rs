@@ -11,6 +11,7 @@
 use super::clear::Clear;
 use super::curve::{Knot, Polyline, unit};
 use super::layout::{ALONG, Layout};
+use super::normals::{Net, direction};
 use super::{Vertex, columns, spline};
 use crate::book::Book;
 use crate::grid::Grid;
@@ -37,7 +38,8 @@ pub(super) fn write<R: Real, G: Grid>(book: &Book<R, G>, leaf: &Leaf<R, G>, out:
     let clear = Clear::new(book.binding().profiles(book.blocks()), half);
     across(book.sheet(), leaf, &clear, up);
     along::<G>(up, down);
-    normals(down, rows, 1.0);
+    let net = Net { columns, rows, side: 1.0 };
+    net.normals(down);
     let pen = Pen { half: half.narrow(), metres: book.units().metres as f32, columns, rows };
     let mut line = Polyline::new();
     for row in 0..rows {
@@ -47,8 +49,11 @@ pub(super) fn write<R: Real, G: Grid>(book: &Book<R, G>, leaf: &Leaf<R, G>, out:
         at.offset(down, -1.0, &pen, &mut line);
         pen.draw(&at, down, -1.0, &line);
     }
-    normals(up, rows, 1.0);
-    normals(down, rows, -1.0);
+    for (side, vertices) in [(1.0, &mut *up), (-1.0, &mut *down)] {
+        let net = Net { side, ..net };
+        net.normals(vertices);
+        net.folds(vertices);
+    }
     pen.rim(up, down, rim);
 }
 
@@ -105,39 +110,6 @@ fn along<G: Grid>(up: &mut [Vertex], down: &mut [Vertex]) {
     }
 }
 
-/// Derivative at `i` of `n` points along a line, second order; only its direction matters.
-fn direction(i: usize, n: usize, p: impl Fn(usize) -> V3<f32>) -> V3<f32> {
-    if i == 0 {
-        p(1) - p(0)
-    } else if i + 1 < n {
-        p(i + 1) - p(i - 1)
-    } else {
-        p(i) * 3.0 - p(i.saturating_sub(1)) * 4.0 + p(i.saturating_sub(2))
-    }
-}
-
-/// Normals of the refined net, from the positions around each vertex, on one side of it.
-///
-/// # Hard case
-///
-/// The direction across is the sum of two chords of nearly equal length, so it agrees with both however
-/// sharply they fold.
-fn normals(net: &mut [Vertex], rows: usize, side: f32) {
-    let columns = net.len() / rows.max(1);
-    for j in 0..columns {
-        for r in 0..rows {
-            let p =
-                |j: usize, r: usize| net.get(j * rows + r).map_or(V3::zero(), |v| V3(v.position));
-            let a = direction(j, columns, |j| p(j, r));
-            let b = direction(r, rows, |r| p(j, r));
-            let n = unit((a * 1e4).cross(b * (1e4 * side)), V3([0.0, side, 0.0]));
-            if let Some(v) = net.get_mut(j * rows + r) {
-                v.normal = n.0;
-            }
-        }
-    }
-}
-
 /// One row of vertices, from spine to fore-edge.
 #[derive(Debug, Clone, Copy)]
 struct Row {
@@ -163,7 +135,7 @@ impl Row {
         let onward = row.clone().skip(2).chain(row.clone().last());
         let inward = row.clone().take(1).chain(row.clone());
         let mut s = 0.0;
-        for ((here, (next, last)), (_, step)) in
+        for ((here, (next, last)), step) in
             row.zip(onward.zip(inward)).zip(columns::steps(pen.columns - 1))
         {
             s += step;
@@ -180,10 +152,8 @@ impl Row {
 impl Pen {
     /// Walks the offset row and writes its vertices.
     fn draw(&self, at: &Row, net: &mut [Vertex], side: f32, line: &Polyline) {
-        let mut walk = line.walk();
         let v = 1.0 - at.row as f32 / (self.rows - 1) as f32;
-        for ((share, step), slot) in columns::steps(self.columns - 1).zip(at.of_mut(net)) {
-            let knot = walk.step(step);
+        for ((share, knot), slot) in line.pace(self.columns - 1).zip(at.of_mut(net)) {
             let u = if side > 0.0 { share } else { 1.0 - share };
             *slot = Vertex { position: (knot.p * self.metres).0, normal: knot.n.0, uv: [u, v] };
         }

@@ -28,6 +28,7 @@ mod curve;
 mod indices;
 mod layout;
 mod leaf;
+mod normals;
 mod prism;
 mod spline;
 pub mod vertex;

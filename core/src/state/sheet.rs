@@ -27,7 +27,7 @@ impl<R: Real, G: Grid> Sheet<R, G> {
         let weights = paper.weights.unwrap_or_default();
         self.spacing = [R::of(lx), R::of(lz)];
         self.delta = R::of(DELTA);
-        let soft = Soft::of(paper, pull);
+        let soft = Soft::of(paper, pull, units.energy(paper.rigidity_nm()));
         self.isometry =
             isometry(weights.iso_3d * soft.isometry, [lx, lz], [width / 10.0, height / 7.0]);
         self.position = R::of(weights.position * soft.position);
@@ -60,13 +60,19 @@ struct Soft {
     contact: f64,
 }
 
+/// Rigidity that asks for as much strength as one of the seed's gravities.
+const RIGIDITY_PER_PULL: f64 = 195.0;
+/// Strength at which the hand has its least weight: office paper in a book of 130 mm.
+const OFFICE: f64 = 9.24;
+
 impl Soft {
-    fn of(paper: &PaperSpec, pull: f64) -> Self {
+    /// Strength grows with what it has to bear: weight, or the stiffness of thick paper.
+    fn of(paper: &PaperSpec, pull: f64, rigidity: f64) -> Self {
         if paper.weights.is_some() {
             return Self { isometry: 1.0, position: 1.0, contact: 1.0 };
         }
-        let scale = pull.larger(1.0);
-        Self { isometry: 2.0 * scale, position: 2.0, contact: 5.0 * scale }
+        let strength = pull.larger(rigidity / RIGIDITY_PER_PULL).larger(1.0);
+        Self { isometry: 2.0 * strength, position: 2.0 * (strength / OFFICE).larger(1.0), contact: 5.0 * strength }
     }
 }
 

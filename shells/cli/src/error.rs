@@ -3,6 +3,7 @@
 use crate::gesture::GestureError;
 use crate::scene::SceneError;
 use dogleaf_content::ContentError;
+use dogleaf_core::mesh::MeshError;
 use dogleaf_core::record::RecordError;
 use dogleaf_core::scene::SpecError;
 use dogleaf_render::{AnimError, RenderError};
@@ -36,6 +37,9 @@ pub(crate) enum CliError {
     /// The core refuses a spec.
     #[error(transparent)]
     Spec(#[from] SpecError),
+    /// The mesh does not fit where it shall go.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
     /// No recording can be made.
     #[error(transparent)]
     Record(#[from] RecordError),

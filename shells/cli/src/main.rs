@@ -8,11 +8,13 @@ mod bench;
 mod error;
 mod gesture;
 mod grid;
+mod picture;
 mod progress;
 mod replay;
 mod run;
 mod scene;
 mod sim;
+mod turn;
 
 use args::{Cli, Command};
 use clap::Parser;
@@ -44,7 +46,7 @@ fn main() -> ExitCode {
 
 fn command(command: &Command) -> Result<(), CliError> {
     match command {
-        Command::Turn(_) => Err(CliError::Call("turn is not wired yet".into())),
+        Command::Turn(args) => turn::turn(args),
         Command::Run(args) => run::run(args),
         Command::Replay(args) => replay::replay(args),
         Command::Bench(args) => bench::bench(args),

@@ -2,6 +2,7 @@
 
 mod json;
 mod obj;
+mod picture;
 mod summary;
 
 pub(crate) use json::Work;
@@ -12,17 +13,55 @@ use crate::progress;
 use crate::scene::Scene;
 use crate::sim::{self, Feed, Pose, Sim};
 use dogleaf_core::step::StepReport;
+use std::path::Path;
 
 /// Frames run at most when nobody says how many.
 const MOST_FRAMES: u32 = 1200;
 
 /// One frame, as every output gets it.
-pub(crate) struct Frame<'a> {
+struct Frame<'a> {
     /// Counted from 0; frame 0 is the scene before anything moved.
-    pub(crate) number: u32,
-    pub(crate) time_s: f64,
-    pub(crate) report: &'a StepReport,
-    pub(crate) pose: &'a Pose,
+    number: u32,
+    time_s: f64,
+    report: &'a StepReport,
+    pose: &'a Pose,
+    sim: &'a dyn Sim,
+}
+
+/// Where frames go.
+struct Outputs {
+    json: Option<json::Lines>,
+    obj: Option<obj::Folder>,
+    picture: Option<picture::Picture>,
+    summary: summary::Summary,
+}
+
+impl Outputs {
+    fn open(args: &RunArgs, scene: &Scene) -> Result<Self, CliError> {
+        let json = args.json.as_ref().map(|to| json::Lines::open(to, args, scene));
+        let obj = args.obj.as_ref().map(|to| obj::Folder::create(to));
+        let picture = args.out.as_ref().map(|to| picture::Picture::open(to, scene));
+        Ok(Self {
+            json: json.transpose()?,
+            obj: obj.transpose()?,
+            picture: picture.transpose()?,
+            summary: summary::Summary::default(),
+        })
+    }
+
+    fn frame(&mut self, frame: &Frame<'_>) -> Result<(), CliError> {
+        self.summary.take(frame);
+        if let Some(json) = &mut self.json {
+            json.frame(frame)?;
+        }
+        if let Some(obj) = &self.obj {
+            obj.frame(frame.number, frame.pose.leaf.as_ref(), &frame.sim.shot()?)?;
+        }
+        if let Some(picture) = &mut self.picture {
+            picture.frame(frame)?;
+        }
+        Ok(())
+    }
 }
 
 /// Runs a scene.
@@ -35,22 +74,19 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), CliError> {
     if args.record.is_some() {
         sim.record()?;
     }
-    let mut json = args.json.as_ref().map(|to| json::Lines::open(to, args, &scene)).transpose()?;
-    let mut obj = args.obj.as_ref().map(|to| obj::Folder::create(to)).transpose()?;
-    let mut summary = summary::Summary::default();
-    each_frame(args, &scene, sim.as_mut(), |frame| {
-        summary.take(frame);
-        json.as_mut().map_or(Ok(()), |json| json.frame(frame))?;
-        obj.as_mut().map_or(Ok(()), |obj| obj.frame(frame))
-    })?;
-    if let Some(json) = json {
+    let mut outputs = Outputs::open(args, &scene)?;
+    each_frame(args, &scene, sim.as_mut(), |frame| outputs.frame(frame))?;
+    if let Some(json) = outputs.json {
         json.finish()?;
     }
     if let Some(to) = &args.record {
         keep_recording(sim.as_mut(), to)?;
     }
+    if let Some(picture) = outputs.picture {
+        picture.finish()?;
+    }
     if args.json.as_ref().is_none_or(|to| to.as_os_str() != "-") {
-        summary.print(args, &scene, sim.bytes())?;
+        outputs.summary.print(args, &scene, sim.bytes())?;
     }
     Ok(())
 }
@@ -72,7 +108,7 @@ fn each_frame(
         }
         let pose = sim.pose();
         let time_s = f64::from(number) * f64::from(scene.frame_us) * 1e-6;
-        show(&Frame { number, time_s, report: &report, pose: &pose })?;
+        show(&Frame { number, time_s, report: &report, pose: &pose, sim })?;
         bar.inc(1);
         if args.frames.is_none() && number > 0 && feed.done() && sim.resting() {
             break;
@@ -82,7 +118,7 @@ fn each_frame(
     Ok(())
 }
 
-fn keep_recording(sim: &mut dyn Sim, to: &std::path::Path) -> Result<(), CliError> {
+fn keep_recording(sim: &mut dyn Sim, to: &Path) -> Result<(), CliError> {
     let recording = sim.recording()?;
     std::fs::write(to, &recording.bytes).map_err(|e| CliError::write(to, &e))?;
     if !recording.complete {

@@ -1,9 +1,9 @@
 //! Light at a coarse lattice of pixels, and between its points.
 //!
-//! Asking the shadow maps is dear, and most answers run smoothly. They are asked at every fourth pixel
-//! both ways. A pixel of a cell whose four corners lie on one surface, with light that runs straight
-//! through all of them, takes their mean; along outlines, where things touch and at sharp
-//! shadows, it asks for itself.
+//! Asking the shadow maps is dear, and most answers run smoothly. They are asked at some pixels only. A
+//! pixel of a cell whose four corners lie on one surface, with light that runs straight through
+//! all of them, takes their mean; along outlines, where things touch and at sharp shadows, it
+//! asks for itself. The points of a fine lattice are found from a coarser one in the same way.
 //!
 //! A shadow that begins at the thing that throws it is never missed: the cell the thing ends in has
 //! a corner that does not fit, and every further cell the shadow reaches has a corner inside it.
@@ -14,8 +14,6 @@ use crate::hit::Hit;
 use crate::lighting::{Light, Seen};
 use crate::shadow::SkyShare;
 
-/// Pixels between two lattice points.
-pub(crate) const STRIDE: usize = 4;
 /// A share that strays this far from the mean of its neighbours' marks a contact or a sharp shadow.
 const BEND: f32 = 0.05;
 /// Corners that differ by more are not averaged.
@@ -42,8 +40,12 @@ impl Probe {
         light: Light::NONE,
     };
 
-    /// Whether this point lies on the surface with these properties.
-    fn fits(&self, patch: u32, near: f32, normal: Vec3) -> bool {
+    /// Whether this point lies on the surface of `hit`.
+    pub(crate) fn fits(&self, patch: u32, hit: &Hit) -> bool {
+        self.joins(patch, hit.near, hit.normal)
+    }
+
+    fn joins(&self, patch: u32, near: f32, normal: Vec3) -> bool {
         self.patch == patch && (self.near - near).abs() < 0.03 * near && self.normal.dot(normal) > 0.94
     }
 
@@ -64,22 +66,53 @@ enum Trust {
     Light,
 }
 
-/// What the lattice knows of a pixel.
+/// The corners of a trusted cell, weighted for a place in it.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum Known {
-    /// Its light.
-    Light(Light),
-    /// Only what it sees of the room.
-    Sky(SkyShare),
-    /// Nothing: it has to ask for itself.
-    Nothing,
+pub(crate) struct Mean<'a> {
+    trust: Trust,
+    four: [&'a Probe; 4],
+    weights: [f32; 4],
 }
 
-/// The lattice of one frame.
-#[derive(Debug, Default)]
+impl Mean<'_> {
+    /// Whether the lamp's share can be trusted, too, and with it all light.
+    pub(crate) fn is_whole(&self) -> bool {
+        self.trust == Trust::Light
+    }
+
+    /// What is seen of the room.
+    pub(crate) fn sky(&self) -> SkyShare {
+        SkyShare { front: self.of(|p| p.seen.sky.front), back: self.of(|p| p.seen.sky.back) }
+    }
+
+    /// What is seen of the lamp.
+    pub(crate) fn lamp(&self) -> f32 {
+        self.of(|p| p.seen.lamp)
+    }
+
+    /// The light.
+    pub(crate) fn light(&self) -> Light {
+        let mut sum = Light::NONE;
+        for (probe, weight) in self.four.iter().zip(self.weights) {
+            sum.diffuse += probe.light.diffuse * weight;
+            sum.through += probe.light.through * weight;
+            sum.gloss += probe.light.gloss * weight;
+        }
+        sum
+    }
+
+    fn of(&self, pick: fn(&Probe) -> f32) -> f32 {
+        self.four.iter().zip(self.weights).map(|(p, w)| w * pick(p)).sum()
+    }
+}
+
+/// A lattice over one frame.
+#[derive(Debug)]
 pub(crate) struct Lattice {
     /// Row by row; the last column and row lie on or beyond the picture's border.
     pub(crate) probes: Vec<Probe>,
+    /// Pixels between two points.
+    stride: usize,
     /// Points of a row.
     pub(crate) columns: usize,
     /// Trust of the cell each point is the upper left corner of.
@@ -87,11 +120,21 @@ pub(crate) struct Lattice {
 }
 
 impl Lattice {
+    /// A lattice with a point at every `stride`th pixel both ways.
+    pub(crate) fn new(stride: usize) -> Self {
+        Self { probes: Vec::new(), stride, columns: 0, cells: Vec::new() }
+    }
+
     /// Makes room for a picture of this size.
     pub(crate) fn resize(&mut self, width: usize, height: usize) {
-        let points = |pixels: usize| pixels.div_ceil(STRIDE) + 1;
+        let points = |pixels: usize| pixels.div_ceil(self.stride) + 1;
         self.columns = points(width);
         self.probes.resize(self.columns * points(height), Probe::NONE);
+    }
+
+    /// Pixel of the point in `column` and `row` of a picture of this size.
+    pub(crate) fn pixel(&self, column: usize, row: usize, size: (usize, usize)) -> (usize, usize) {
+        ((column * self.stride).min(size.0 - 1), (row * self.stride).min(size.1 - 1))
     }
 
     /// Decides which cells can be trusted, once all points are known.
@@ -100,22 +143,17 @@ impl Lattice {
         self.cells = (0..self.probes.len()).map(|at| self.cell(at, &points)).collect();
     }
 
-    /// What the cell of pixel (`x`, `y`) tells of a place on `patch`.
-    pub(crate) fn at(&self, x: usize, y: usize, patch: u32, hit: &Hit) -> Known {
-        let at = y / STRIDE * self.columns + x / STRIDE;
+    /// What the cell of pixel (`x`, `y`) tells of a place on `patch`, if it can be trusted.
+    pub(crate) fn at(&self, x: usize, y: usize, patch: u32, hit: &Hit) -> Option<Mean<'_>> {
+        let at = y / self.stride * self.columns + x / self.stride;
         let trust = self.cells[at];
-        if trust == Trust::Nothing || !self.probes[at].fits(patch, hit.near, hit.normal) {
-            return Known::Nothing;
+        if trust == Trust::Nothing || !self.probes[at].fits(patch, hit) {
+            return None;
         }
-        let four = self.corners(at).map(|i| &self.probes[i]);
-        let part = |place: usize| (place % STRIDE) as f32 / STRIDE as f32;
+        let part = |place: usize| (place % self.stride) as f32 / self.stride as f32;
         let (fx, fy) = (part(x), part(y));
         let weights = [(1.0 - fx) * (1.0 - fy), fx * (1.0 - fy), (1.0 - fx) * fy, fx * fy];
-        if trust == Trust::Light {
-            return Known::Light(blend(four, weights));
-        }
-        let mix = |pick: fn(&SkyShare) -> f32| four.iter().zip(weights).map(|(p, w)| w * pick(&p.seen.sky)).sum();
-        Known::Sky(SkyShare { front: mix(|s| s.front), back: mix(|s| s.back) })
+        Some(Mean { trust, four: self.corners(at).map(|i| &self.probes[i]), weights })
     }
 
     fn corners(&self, at: usize) -> [usize; 4] {
@@ -129,7 +167,7 @@ impl Lattice {
         let column = at % self.columns;
         let fitting = |inside: bool, other: usize| {
             let other = if inside { self.probes.get(other) } else { None };
-            other.filter(|o| o.fits(me.patch, me.near, me.normal)).map(Probe::shares)
+            other.filter(|o| o.joins(me.patch, me.near, me.normal)).map(Probe::shares)
         };
         let across = [fitting(column > 0, at.wrapping_sub(1)), fitting(column + 1 < self.columns, at + 1)];
         let down = [fitting(true, at.wrapping_sub(self.columns)), fitting(true, at + self.columns)];
@@ -153,7 +191,7 @@ impl Lattice {
             return Trust::Nothing;
         }
         let first = &self.probes[at];
-        let together = corners.iter().all(|&i| self.probes[i].fits(first.patch, first.near, first.normal));
+        let together = corners.iter().all(|&i| self.probes[i].joins(first.patch, first.near, first.normal));
         let spread = |i: usize| {
             let v = corners.map(|c| self.probes[c].shares()[i]);
             v.iter().copied().fold(0.0, f32::max) - v.iter().copied().fold(1.0, f32::min)
@@ -164,15 +202,4 @@ impl Lattice {
         let least = corners.iter().map(|&i| points[i]).min().unwrap_or(Trust::Nothing);
         if spread(2) > SPREAD { least.min(Trust::Sky) } else { least }
     }
-}
-
-/// Mean of four points' light.
-fn blend(four: [&Probe; 4], weights: [f32; 4]) -> Light {
-    let mut sum = Light::NONE;
-    for (probe, weight) in four.iter().zip(weights) {
-        sum.diffuse += probe.light.diffuse * weight;
-        sum.through += probe.light.through * weight;
-        sum.gloss += probe.light.gloss * weight;
-    }
-    sum
 }

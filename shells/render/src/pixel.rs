@@ -4,7 +4,7 @@ use glam::{Vec2, Vec3};
 
 
 use crate::hit::{Eye, Hit};
-use crate::lattice::{Known, Lattice, Probe, STRIDE};
+use crate::lattice::{Lattice, Probe};
 use crate::light::Lights;
 use crate::lighting::{self, Light, Seen};
 use crate::material::{Paint, Spot};
@@ -26,6 +26,15 @@ pub(crate) struct Frame<'a, const N: usize> {
     pub(crate) background: Vec3,
 }
 
+/// What is known around a pixel.
+#[derive(Debug)]
+pub(crate) struct Near<'a> {
+    /// The lattice of the frame.
+    pub(crate) lattice: &'a Lattice,
+    /// The last place among this pixel and its nearest neighbours that had to ask for itself.
+    pub(crate) asked: Option<Probe>,
+}
+
 /// Samples of one pixel that see the same smooth surface.
 #[derive(Debug, Clone, Copy)]
 struct Group {
@@ -39,11 +48,11 @@ struct Group {
 
 impl<const N: usize> Frame<'_, N> {
     /// The light of pixel (`x`, `y`), whose samples see the triangles `numbers`.
-    pub(crate) fn pixel(&self, numbers: &[u32], x: usize, y: usize, lattice: &Lattice) -> Vec3 {
+    pub(crate) fn pixel(&self, numbers: &[u32], x: usize, y: usize, near: &mut Near<'_>) -> Vec3 {
         let corner = Vec2::new(x as f32, y as f32);
         let first = numbers[0];
         if numbers.iter().all(|&n| n == first) {
-            return self.surface(first, corner + 0.5, x, y, lattice);
+            return self.surface(first, corner + 0.5, x, y, near);
         }
         let mut groups = [Group { triangle: NONE, count: 0.0, places: Vec2::ZERO }; N];
         let mut used = 0;
@@ -61,8 +70,11 @@ impl<const N: usize> Frame<'_, N> {
             group.count += 1.0;
             group.places += place;
         }
-        let light = |g: &Group| self.surface(g.triangle, g.places / g.count, x, y, lattice) * g.count;
-        groups[..used].iter().map(light).sum::<Vec3>() / N as f32
+        let mut light = Vec3::ZERO;
+        for group in &groups[..used] {
+            light += self.surface(group.triangle, group.places / group.count, x, y, near) * group.count;
+        }
+        light / N as f32
     }
 
     /// Whether a sample of triangle `b` at `place` continues the surface of triangle `a`.
@@ -79,17 +91,17 @@ impl<const N: usize> Frame<'_, N> {
         &self.geometry.triangles[number as usize]
     }
 
-    fn surface(&self, number: u32, place: Vec2, x: usize, y: usize, lattice: &Lattice) -> Vec3 {
+    fn surface(&self, number: u32, place: Vec2, x: usize, y: usize, near: &mut Near<'_>) -> Vec3 {
         if number == NONE {
             return self.background;
         }
         let triangle = self.triangle(number);
         let hit = Hit::new(self.geometry, triangle, place, &self.eye);
         let paint = &self.paints[triangle.patch as usize];
-        let light = match lattice.at(x, y, triangle.patch, &hit) {
-            Known::Light(light) => light,
-            Known::Sky(sky) => self.light(&hit, paint, Seen { sky, lamp: self.lamp_share(&hit, paint) }),
-            Known::Nothing => self.light(&hit, paint, self.seen(&hit, paint)),
+        let light = match near.lattice.at(x, y, triangle.patch, &hit) {
+            Some(mean) if mean.is_whole() => mean.light(),
+            Some(mean) => self.light(&hit, paint, Seen { sky: mean.sky(), lamp: self.lamp_share(&hit, paint) }),
+            None => self.light(&hit, paint, self.seen_near(&hit, paint, triangle.patch, near)),
         };
         let spot = Spot { position: hit.position, foot: hit.foot, pixel_m: hit.pixel_m, outside: hit.outside };
         light.on(&self.patches[triangle.patch as usize].material.at(&spot, paint.passing > 0.0))
@@ -97,6 +109,20 @@ impl<const N: usize> Frame<'_, N> {
 
     fn light(&self, hit: &Hit, paint: &Paint, seen: Seen) -> Light {
         lighting::light(hit, paint, self.lights, seen)
+    }
+
+    /// As [`Self::seen`], with the room's share of a neighbour on the same surface if there is one.
+    fn seen_near(&self, hit: &Hit, paint: &Paint, patch: u32, near: &mut Near<'_>) -> Seen {
+        match near.asked {
+            Some(asked) if asked.fits(patch, hit) => {
+                Seen { sky: asked.seen.sky, lamp: self.lamp_share(hit, paint) }
+            }
+            _ => {
+                let seen = self.seen(hit, paint);
+                near.asked = Some(Probe { patch, near: hit.near, normal: hit.normal, seen, light: Light::NONE });
+                seen
+            }
+        }
     }
 
     fn seen(&self, hit: &Hit, paint: &Paint) -> Seen {
@@ -109,17 +135,20 @@ impl<const N: usize> Frame<'_, N> {
         lighting::lamp_share(hit, paint, self.lights.point.position, self.lamp)
     }
 
-    /// What grid point (`column`, `row`) sees; `numbers` are those of the whole picture.
-    pub(crate) fn probe(&self, numbers: &[u32], size: (usize, usize), column: usize, row: usize) -> Probe {
-        let (x, y) = ((column * STRIDE).min(size.0 - 1), (row * STRIDE).min(size.1 - 1));
-        let number = numbers[(y * size.0 + x) * N];
+    /// What is seen at pixel (`x`, `y`), whose first sample sees triangle `number`; a coarser
+    /// lattice is asked first.
+    pub(crate) fn probe(&self, number: u32, x: usize, y: usize, coarse: Option<&Lattice>) -> Probe {
         if number == NONE {
             return Probe::NONE;
         }
         let triangle = self.triangle(number);
         let hit = Hit::new(self.geometry, triangle, Vec2::new(x as f32, y as f32) + self.grid.place(0), &self.eye);
         let paint = &self.paints[triangle.patch as usize];
-        let seen = self.seen(&hit, paint);
+        let seen = match coarse.and_then(|c| c.at(x, y, triangle.patch, &hit)) {
+            Some(mean) if mean.is_whole() => Seen { sky: mean.sky(), lamp: mean.lamp() },
+            Some(mean) => Seen { sky: mean.sky(), lamp: self.lamp_share(&hit, paint) },
+            None => self.seen(&hit, paint),
+        };
         let light = self.light(&hit, paint, seen);
         Probe { patch: triangle.patch, near: hit.near, normal: hit.normal, seen, light }
     }

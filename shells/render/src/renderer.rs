@@ -17,13 +17,16 @@ use crate::light::Lights;
 use crate::material::Paint;
 use crate::parallel::{default_threads, for_each_part};
 use crate::patch::Patch;
-use crate::pixel::Frame;
+use crate::pixel::{Frame, Near};
 use crate::raster::{Geometry, Grid, TILE_HEIGHT, draw_band};
 use crate::shadow::{Casters, Lamp, Sky};
 use crate::tone::Tone;
 
 /// Largest side of a picture, pixels.
 pub const MAX_SIDE: u32 = 8192;
+
+/// Lattice rows handed to a thread at once.
+const BAND: usize = 8;
 
 /// What the last frame was made of.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -54,7 +57,7 @@ pub struct Renderer {
     lamp: Lamp,
     sky: Sky,
     numbers: Vec<u32>,
-    lattice: Lattice,
+    lattices: [Lattice; 2],
     tone: Tone,
     picture: Vec<u8>,
 }
@@ -91,7 +94,7 @@ impl Renderer {
             lamp: Lamp::default(),
             sky: Sky::default(),
             numbers: Vec::new(),
-            lattice: Lattice::default(),
+            lattices: [Lattice::new(8), Lattice::new(4)],
             tone: Tone::new(size.0, size.1),
             picture: vec![0; size.0 * size.1 * 3],
         })
@@ -135,14 +138,10 @@ impl Renderer {
     pub fn render(&mut self, camera: &Camera, lights: &Lights, patches: &[Patch<'_>]) -> Result<&[u8], RenderError> {
         let aspect = self.size.0 as f32 / self.size.1 as f32;
         let clip_from_world = camera.clip_from_world(aspect)?;
-        let t0=std::time::Instant::now();
         self.geometry.gather(patches, &clip_from_world, self.size);
         self.casters.gather(patches);
-        let t1=std::time::Instant::now();
         self.lamp.draw(&lights.point, &self.casters, self.threads);
-        let t2=std::time::Instant::now();
         self.sky.draw(&lights.environment, &self.casters, self.threads);
-        let t3=std::time::Instant::now(); eprintln!("T geo {:?} lamp {:?} sky {:?}",t1-t0,t2-t1,t3-t2);
         match self.samples {
             Samples::One => self.draw(camera, lights, patches, Grid::ONE),
             Samples::Four => self.draw(camera, lights, patches, Grid::FOUR),
@@ -152,9 +151,8 @@ impl Renderer {
     }
 
     fn draw<const N: usize>(&mut self, camera: &Camera, lights: &Lights, patches: &[Patch<'_>], grid: Grid<N>) {
-        let (width, height) = self.size;
-        let pixel_at_1m = 2.0 * (camera.fov_y_rad * 0.5).tan() / height as f32;
         let paints: Vec<Paint> = patches.iter().map(|p| p.material.paint()).collect();
+        let pixel_at_1m = 2.0 * (camera.fov_y_rad * 0.5).tan() / self.size.1 as f32;
         let frame = Frame {
             patches,
             paints: &paints,
@@ -166,28 +164,65 @@ impl Renderer {
             grid,
             background: self.background,
         };
-        let t0=std::time::Instant::now();
-        self.numbers.resize(width * height * N, 0);
-        for_each_part(self.threads, &mut self.numbers, width * TILE_HEIGHT * N, |band, numbers| {
-            draw_band(&self.geometry, &grid, band, width, numbers);
+        let canvas = Canvas { frame: &frame, size: self.size, threads: self.threads };
+        canvas.cover(&mut self.numbers);
+        let [coarse, fine] = &mut self.lattices;
+        canvas.light_up(coarse, None, &self.numbers);
+        canvas.light_up(fine, Some(coarse), &self.numbers);
+        canvas.colour(fine, &self.numbers, &self.tone, &mut self.picture);
+    }
+}
+
+/// The three passes over the picture.
+struct Canvas<'a, const N: usize> {
+    frame: &'a Frame<'a, N>,
+    size: (usize, usize),
+    threads: usize,
+}
+
+impl<const N: usize> Canvas<'_, N> {
+    /// Finds the triangle at every sample.
+    fn cover(&self, numbers: &mut Vec<u32>) {
+        let (width, height) = self.size;
+        numbers.resize(width * height * N, 0);
+        for_each_part(self.threads, numbers, width * TILE_HEIGHT * N, |band, numbers| {
+            draw_band(self.frame.geometry, &self.frame.grid, band, width, numbers);
         });
-        let t1=std::time::Instant::now();
-        self.lattice.resize(width, height);
-        let columns = self.lattice.columns;
-        for_each_part(self.threads, &mut self.lattice.probes, columns * 4, |band, probes| {
-            for (i, probe) in probes.iter_mut().enumerate() {
-                *probe = frame.probe(&self.numbers, self.size, i % columns, band * 4 + i / columns);
+    }
+
+    /// Asks for the light at all points of a lattice, by way of a coarser one if there is one.
+    fn light_up(&self, lattice: &mut Lattice, coarse: Option<&Lattice>, numbers: &[u32]) {
+        lattice.resize(self.size.0, self.size.1);
+        let columns = lattice.columns;
+        let mut probes = std::mem::take(&mut lattice.probes);
+        for_each_part(self.threads, &mut probes, columns * BAND, |band, probes| {
+            let rows = probes.len() / columns;
+            // Down first, then across: neighbours read the same corner of every shadow map.
+            for (column, row) in (0..columns).flat_map(|c| (0..rows).map(move |r| (c, r))) {
+                let (x, y) = lattice.pixel(column, band * BAND + row, self.size);
+                let number = numbers[(y * self.size.0 + x) * N];
+                probes[row * columns + column] = self.frame.probe(number, x, y, coarse);
             }
         });
-        self.lattice.judge();
-        let t2=std::time::Instant::now();
-        for_each_part(self.threads, &mut self.picture, width * 3, |y, row| {
-            let numbers = self.numbers[y * width * N..(y + 1) * width * N].chunks_exact(N);
-            for (x, (numbers, out)) in numbers.zip(row.chunks_exact_mut(3)).enumerate() {
-                let light = frame.pixel(numbers, x, y, &self.lattice);
-                out.copy_from_slice(&self.tone.pixel(light, x, y));
+        lattice.probes = probes;
+        lattice.judge();
+    }
+
+    /// Colours all pixels, two by two.
+    fn colour(&self, lattice: &Lattice, numbers: &[u32], tone: &Tone, picture: &mut [u8]) {
+        let width = self.size.0;
+        for_each_part(self.threads, picture, width * 3 * 2, |pair, rows| {
+            for x in (0..width).step_by(2) {
+                let mut near = Near { lattice, asked: None };
+                for (row, out) in rows.chunks_exact_mut(width * 3).enumerate() {
+                    let y = pair * 2 + row;
+                    for x in x..(x + 2).min(width) {
+                        let at = (y * width + x) * N;
+                        let light = self.frame.pixel(&numbers[at..at + N], x, y, &mut near);
+                        out[x * 3..x * 3 + 3].copy_from_slice(&tone.pixel(light, x, y));
+                    }
+                }
             }
         });
-        eprintln!("T cover {:?} probes {:?} pixels {:?}",t1-t0,t2-t1,t2.elapsed());
     }
 }

@@ -10,7 +10,7 @@ mod machine;
 mod parts;
 mod poses;
 mod report;
-mod times;
+pub(crate) mod times;
 mod turn;
 
 use crate::args::BenchArgs;

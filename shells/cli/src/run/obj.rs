@@ -1,7 +1,7 @@
-//! Wavefront OBJ: the leaf's net, one file a frame. Metres, book frame.
+//! Wavefront OBJ: the leaf's net and the meshes around it, one file a frame. Metres, book frame.
 
-use super::Frame;
 use crate::error::CliError;
+use crate::picture::Shot;
 use crate::sim::LeafNodes;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -15,21 +15,26 @@ impl Folder {
         Ok(Self(path.to_owned()))
     }
 
-    /// Writes the frame; one without a leaf in the air gives a file without a face.
-    pub(super) fn frame(&mut self, frame: &Frame<'_>) -> Result<(), CliError> {
-        let path = self.0.join(format!("frame_{:05}.obj", frame.number));
-        let mut text = format!("# dogleaf, frame {}, {} s\n", frame.number, frame.time_s);
-        if let Some(leaf) = &frame.pose.leaf {
-            net(&mut text, leaf);
-        }
+    /// Writes one frame: `net`, the simulated nodes, if there is a leaf; then every part that is drawn.
+    pub(super) fn frame(
+        &self,
+        number: u32,
+        leaf: Option<&LeafNodes>,
+        shot: &Shot,
+    ) -> Result<(), CliError> {
+        let path = self.0.join(format!("frame_{number:05}.obj"));
+        let mut text = format!("# dogleaf, frame {number}\n");
+        let nodes = leaf.map_or(0, |leaf| net(&mut text, leaf));
+        meshes(&mut text, shot, nodes);
         std::fs::write(&path, text).map_err(|e| CliError::write(&path, &e))
     }
 }
 
-/// Nodes with their places on the page (from the spine, from the tail), and quads facing up.
-fn net(text: &mut String, leaf: &LeafNodes) {
+/// Nodes with their places on the page (from the spine, from the tail), and quads facing up. Answers how
+/// many nodes.
+fn net(text: &mut String, leaf: &LeafNodes) -> usize {
     let share = |n: usize, of: usize| n as f64 / (of.max(2) - 1) as f64;
-    text.push_str("o leaf\n");
+    text.push_str("o net\n");
     for [x, y, z] in &leaf.nodes {
         let _ = writeln!(text, "v {x} {y} {z}");
     }
@@ -41,9 +46,36 @@ fn net(text: &mut String, leaf: &LeafNodes) {
     for i in 1..leaf.nx {
         for k in 1..leaf.nz {
             let at = |i: usize, k: usize| 1 + i * leaf.nz + k;
-            let corners = [at(i - 1, k - 1), at(i, k - 1), at(i, k), at(i - 1, k)];
-            let [a, b, c, d] = corners;
+            let [a, b, c, d] = [at(i - 1, k - 1), at(i, k - 1), at(i, k), at(i - 1, k)];
             let _ = writeln!(text, "f {a}/{a} {b}/{b} {c}/{c} {d}/{d}");
+        }
+    }
+    leaf.nodes.len()
+}
+
+/// The parts that are drawn, each an object. OBJ counts `v` from the tail up, the core from the head down.
+fn meshes(text: &mut String, shot: &Shot, before: usize) {
+    for v in &shot.vertices {
+        let [x, y, z] = v.position;
+        let _ = writeln!(text, "v {x} {y} {z}");
+    }
+    for v in &shot.vertices {
+        let _ = writeln!(text, "vt {} {}", v.uv[0], 1.0 - v.uv[1]);
+    }
+    for v in &shot.vertices {
+        let [x, y, z] = v.normal;
+        let _ = writeln!(text, "vn {x} {y} {z}");
+    }
+    for piece in &shot.pieces {
+        let _ = writeln!(text, "o {:?}", piece.surface);
+        for corners in shot.triangles(piece).chunks_exact(3) {
+            text.push('f');
+            for &corner in corners {
+                let normal = usize::from(corner) + 1;
+                let place = before + normal;
+                let _ = write!(text, " {place}/{place}/{normal}");
+            }
+            text.push('\n');
         }
     }
 }

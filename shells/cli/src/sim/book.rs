@@ -2,6 +2,7 @@
 
 use super::{Energy, LeafNodes, Pose, Recording, Sim};
 use crate::error::CliError;
+use crate::picture::{Shot, book_indices, book_shot};
 use crate::scene::Scene;
 use dogleaf_core::Book;
 use dogleaf_core::grid::Grid;
@@ -10,10 +11,12 @@ use dogleaf_core::real::{Real, V2};
 use dogleaf_core::record::{RecordError, Recorder, Setup, Sink};
 use dogleaf_core::scene::{BookSpec, Fidelity, Formulation};
 use dogleaf_core::step::StepReport;
+use std::sync::Arc;
 
 struct BookSim<R: Real, G: Grid> {
     book: Book<R, G>,
     setup: Setup,
+    indices: Arc<[u16]>,
     recorder: Option<Recorder<Bytes>>,
     /// The recorder took everything so far.
     complete: bool,
@@ -45,7 +48,8 @@ pub(super) fn build<R: Real, G: Grid>(
         formulation: Formulation::Condensed,
     };
     let book = Book::<R, G>::EMPTY;
-    let mut sim = Box::new(BookSim { book, setup, recorder: None, complete: true });
+    let indices = book_indices::<G>()?;
+    let mut sim = Box::new(BookSim { book, setup, indices, recorder: None, complete: true });
     setup.open(&mut sim.book)?;
     Ok(sim)
 }
@@ -85,6 +89,10 @@ impl<R: Real, G: Grid> Sim for BookSim<R, G> {
             energy: Energy::of(book.energy(), book.units()),
             events,
         }
+    }
+
+    fn shot(&self) -> Result<Shot, CliError> {
+        book_shot(&self.book, &self.indices)
     }
 
     fn record(&mut self) -> Result<(), CliError> {

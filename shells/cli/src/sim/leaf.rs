@@ -2,6 +2,7 @@
 
 use super::{Energy, LeafNodes, Pose, Recording, Sim};
 use crate::error::CliError;
+use crate::picture::{Shot, sheet_shot};
 use crate::scene::Scene;
 use dogleaf_core::LoneLeaf;
 use dogleaf_core::grid::Grid;
@@ -19,6 +20,7 @@ struct LeafSim<R: Real, G: Grid> {
     lone: LoneLeaf<R, G>,
     /// When it last moved.
     moved_us: u64,
+    thickness_m: f32,
 }
 
 /// Lays the leaf of a scene.
@@ -27,7 +29,11 @@ pub(super) fn build<R: Real, G: Grid>(
     spec: &LeafSpec,
     fidelity: Fidelity,
 ) -> Result<Box<dyn Sim>, CliError> {
-    let mut sim = Box::new(LeafSim { lone: LoneLeaf::<R, G>::EMPTY, moved_us: 0 });
+    let mut sim = Box::new(LeafSim {
+        lone: LoneLeaf::<R, G>::EMPTY,
+        moved_us: 0,
+        thickness_m: (scene.paper.thickness_mm * 1e-3) as f32,
+    });
     sim.lone.open(spec, &scene.paper, &scene.world, fidelity)?;
     Ok(sim)
 }
@@ -63,6 +69,11 @@ impl<R: Real, G: Grid> Sim for LeafSim<R, G> {
             energy: Energy::of(lone.energy(), lone.units()),
             events: Vec::new(),
         }
+    }
+
+    fn shot(&self) -> Result<Shot, CliError> {
+        let nodes = LeafNodes::of(self.lone.leaf(), self.lone.units());
+        Ok(sheet_shot(&nodes, self.thickness_m))
     }
 
     fn record(&mut self) -> Result<(), CliError> {

@@ -8,6 +8,7 @@ pub(crate) use pose::{Energy, EventName, LeafNodes, Pose};
 
 use crate::error::CliError;
 use crate::grid::with_grid;
+use crate::picture::Shot;
 use crate::scene::{Body, Scene};
 use dogleaf_core::hand::Sample;
 use dogleaf_core::scene::Fidelity;
@@ -53,6 +54,8 @@ pub(crate) trait Sim {
     fn resting(&self) -> bool;
     /// Everything a frame of output says; takes the events out.
     fn pose(&mut self) -> Pose;
+    /// The meshes of this pose.
+    fn shot(&self) -> Result<Shot, CliError>;
     /// Keeps a recording from now on.
     fn record(&mut self) -> Result<(), CliError>;
     /// The recording kept.

@@ -37,10 +37,10 @@ fn main() -> Result<(), Failure> {
         renderer.render(&camera, &Lights::reading_room(), &patches)?;
         let start = Instant::now();
         let picture = renderer.render(&camera, &Lights::reading_room(), &patches)?;
+        let took = start.elapsed().as_secs_f64() * 1e3;
         let file = out.join(name).with_extension("png");
         image::save_buffer(&file, picture, 960, 720, image::ColorType::Rgb8)?;
-        let took = start.elapsed().as_secs_f64() * 1e3;
-        println!("{}: {took:.0} ms with PNG, {} triangles", file.display(), renderer.stats().triangles);
+        println!("{}: {took:.0} ms, {} triangles", file.display(), renderer.stats().triangles);
     }
     match turn {
         Some(file) => animate(&mut renderer, &pages, &file),

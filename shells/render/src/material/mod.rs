@@ -91,7 +91,7 @@ impl Material<'_> {
                 let albedo = near.map_or(tint, |t| tint * t.sample(&foot));
                 // The paper blurs what shines through: the plain filter will do.
                 let reverse = match far {
-                    Some(t) if thin => t.sample_soft(&foot.mirrored()),
+                    Some(t) if thin => t.sample_soft(foot.mirrored().uv, t.texels(&foot)),
                     _ => Vec3::ONE,
                 };
                 Optics { albedo, through: tint * albedo * reverse }

@@ -10,12 +10,15 @@ use glam::{Vec2, Vec3};
 use super::noise::value;
 use super::Spot;
 use crate::fast::floor;
-use crate::texture::{Footprint, Texture};
+use crate::texture::Texture;
 
 /// Size of the picture, texels.
 const SIZE: (u32, u32) = (192, 1536);
 /// Size of the picture on the table, metres; it is mirrored beyond.
 const PATCH_M: Vec2 = Vec2::new(1.6, 0.8);
+
+/// Texels per metre across the grain.
+const FINEST_PER_M: f32 = SIZE.1 as f32 / PATCH_M.y;
 
 static GRAIN: LazyLock<Option<Texture>> = LazyLock::new(draw);
 
@@ -23,22 +26,20 @@ static GRAIN: LazyLock<Option<Texture>> = LazyLock::new(draw);
 pub(super) fn shade(grain: f32, spot: &Spot) -> Vec3 {
     match &*GRAIN {
         Some(picture) if grain > 0.0 => {
-            let wood = picture.sample_soft(&footprint(spot)) * 4.0;
+            let wood = picture.sample_soft(uv(spot.position), spot.pixel_m * FINEST_PER_M) * 4.0;
             Vec3::ONE + (wood - 1.0) * grain.min(1.0)
         }
         _ => Vec3::ONE,
     }
 }
 
-/// Where the pixel lies in the picture.
-fn footprint(spot: &Spot) -> Footprint {
+/// Where a place lies in the picture.
+fn uv(position: Vec3) -> Vec2 {
     let mirrored = |place: f32| {
         let half = 0.5 * place + 0.18;
         1.0 - (2.0 * (half - floor(half) as f32) - 1.0).abs()
     };
-    let uv = Vec2::new(mirrored(spot.position.x / PATCH_M.x), mirrored(spot.position.z / PATCH_M.y));
-    let size = spot.pixel_m / PATCH_M;
-    Footprint { uv, dx: Vec2::new(size.x, 0.0), dy: Vec2::new(0.0, size.y) }
+    Vec2::new(mirrored(position.x / PATCH_M.x), mirrored(position.z / PATCH_M.y))
 }
 
 /// Light of the wood, a quarter of it, so that bright streaks fit into a byte.

@@ -12,7 +12,7 @@ use crate::environment::{Environment, spiral};
 use crate::parallel::for_each_part;
 
 /// Directions asked.
-const DIRECTIONS: usize = 40;
+const DIRECTIONS: usize = 36;
 /// Lowest direction, as height on the unit sphere: the table hides what is lower.
 const LOWEST: f32 = 0.10;
 /// Side of one map, texels.

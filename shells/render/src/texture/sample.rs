@@ -61,14 +61,19 @@ impl Texture {
         Vec3::new(sum[0], sum[1], sum[2]) / (taps as f32 * 255.0 * 255.0)
     }
 
-    /// Linear colour of the footprint from one level only, for pictures without fine print.
-    pub(crate) fn sample_soft(&self, foot: &Footprint) -> Vec3 {
-        let size = Vec2::new(self.levels[0].width as f32, self.levels[0].height as f32);
-        let texels = (foot.dx * size).length_squared().max((foot.dy * size).length_squared()).sqrt();
+    /// Linear colour around `uv` from one level only, for pictures without fine print; a pixel covers
+    /// `texels` of the finest level.
+    pub(crate) fn sample_soft(&self, uv: Vec2, texels: f32) -> Vec3 {
         let level = (texels.clamp(1.0, 1e6) as u32).ilog2() as usize;
         let mut sum = [0.0; 4];
-        self.levels[level.min(self.levels.len() - 1)].bilinear(foot.uv, 1.0, &mut sum);
+        self.levels[level.min(self.levels.len() - 1)].bilinear(uv, 1.0, &mut sum);
         Vec3::new(sum[0], sum[1], sum[2]) / (255.0 * 255.0)
+    }
+
+    /// Texels of the finest level the longer side of the footprint covers.
+    pub(crate) fn texels(&self, foot: &Footprint) -> f32 {
+        let size = Vec2::new(self.levels[0].width as f32, self.levels[0].height as f32);
+        (foot.dx * size).length_squared().max((foot.dy * size).length_squared()).sqrt()
     }
 
     /// Level for a footprint of `texels` a pixel, and the share of the next coarser one.

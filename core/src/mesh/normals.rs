@@ -1,0 +1,125 @@
+//! Normals of one side of the leaf, from where its vertices ended up.
+//!
+//! Where the leaf folds so sharply that neighbours face away from each other, a normal is chosen that
+//! all triangles around the vertex agree with.
+
+use super::Vertex;
+use super::curve::unit;
+use crate::real::V3;
+
+/// Neighbours whose normals meet at less than this cosine are at a fold.
+const FOLD: f32 = 0.4;
+/// Corrections a normal at a fold gets at most.
+const ROUNDS: usize = 24;
+/// Least cosine between it and a triangle around it that is aimed at.
+const AGREE: f32 = 0.05;
+/// Neighbours of a vertex, the way round in which columns and rows grow.
+const RING: [(isize, isize); 6] = [(-1, -1), (0, -1), (1, 0), (1, 1), (0, 1), (-1, 0)];
+
+/// Derivative at `i` of `n` points along a line, second order; only its direction matters.
+pub(super) fn direction(i: usize, n: usize, p: impl Fn(usize) -> V3<f32>) -> V3<f32> {
+    if i == 0 {
+        p(1) - p(0)
+    } else if i + 1 < n {
+        p(i + 1) - p(i - 1)
+    } else {
+        p(i) * 3.0 - p(i.saturating_sub(1)) * 4.0 + p(i.saturating_sub(2))
+    }
+}
+
+/// A refined net as it stands in the buffer.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Net {
+    pub(super) columns: usize,
+    pub(super) rows: usize,
+    /// One where normals go up from a leaf on the right, else minus one.
+    pub(super) side: f32,
+}
+
+impl Net {
+    /// Sets all normals.
+    ///
+    /// # Hard case
+    ///
+    /// The direction across is the sum of two chords of nearly equal length, so it agrees with both
+    /// however sharply they fold. With a twist besides, see [`Net::folds`].
+    pub(super) fn normals(&self, net: &mut [Vertex]) {
+        for j in 0..self.columns {
+            for r in 0..self.rows {
+                let p = |j: usize, r: usize| {
+                    net.get(j * self.rows + r).map_or(V3([0.0; 3]), |v| V3(v.position))
+                };
+                let a = direction(j, self.columns, |j| p(j, r));
+                let b = direction(r, self.rows, |r| p(j, r));
+                let up = V3([0.0, self.side, 0.0]);
+                let n = unit((a * 1e4).cross(b * (1e4 * self.side)), up);
+                if let Some(v) = net.get_mut(j * self.rows + r) {
+                    v.normal = n.0;
+                }
+            }
+        }
+    }
+
+    /// Corrects normals at folds.
+    pub(super) fn folds(&self, net: &mut [Vertex]) {
+        for j in 0..self.columns {
+            for r in 0..self.rows {
+                if self.folded(net, j, r) {
+                    let n = self.agreed(net, j, r);
+                    if let Some(v) = net.get_mut(j * self.rows + r) {
+                        v.normal = n.0;
+                    }
+                }
+            }
+        }
+    }
+
+    fn folded(&self, net: &[Vertex], j: usize, r: usize) -> bool {
+        let Some(here) = net.get(j * self.rows + r) else { return false };
+        RING.iter().any(|&by| {
+            self.neighbour(net, j, r, by)
+                .is_some_and(|v| V3(v.normal).dot(V3(here.normal)) < FOLD)
+        })
+    }
+
+    fn neighbour<'a>(
+        &self,
+        net: &'a [Vertex],
+        j: usize,
+        r: usize,
+        by: (isize, isize),
+    ) -> Option<&'a Vertex> {
+        let j = j.checked_add_signed(by.0).filter(|&j| j < self.columns)?;
+        let r = r.checked_add_signed(by.1).filter(|&r| r < self.rows)?;
+        net.get(j * self.rows + r)
+    }
+
+    /// A normal that agrees with every triangle around: starts at their mean and leans towards those
+    /// that do not agree yet.
+    fn agreed(&self, net: &[Vertex], j: usize, r: usize) -> V3<f32> {
+        let here = net.get(j * self.rows + r).copied().unwrap_or_default();
+        let spoke = |n: usize| {
+            let by = RING.get(n % RING.len()).copied().unwrap_or_default();
+            self.neighbour(net, j, r, by).map(|v| (V3(v.position) - V3(here.position)) * 1e4)
+        };
+        let around: [V3<f32>; RING.len()] =
+            core::array::from_fn(|n| match (spoke(n), spoke(n + 1)) {
+                (Some(a), Some(b)) => unit(a.cross(b) * self.side, V3([0.0; 3])),
+                _ => V3([0.0; 3]),
+            });
+        let mut sum = around.iter().fold(V3([0.0; 3]), |sum, &n| sum + n);
+        for _ in 0..ROUNDS {
+            let mut lean = false;
+            for &n in around.iter().filter(|n| n.norm_sq() > 0.0) {
+                if sum.dot(n) < AGREE * sum.norm() {
+                    sum = sum + n;
+                    lean = true;
+                }
+            }
+            if !lean {
+                break;
+            }
+        }
+        unit(sum, V3(here.normal))
+    }
+}

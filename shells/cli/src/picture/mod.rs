@@ -1,0 +1,16 @@
+//! From a simulated scene to an animation: shots, page pictures, materials, film.
+
+mod film;
+mod look;
+mod pages;
+mod sheet;
+mod shot;
+mod temporary;
+
+pub(crate) use film::Film;
+pub(crate) use look::{Look, Set};
+use pages::Faces;
+pub(crate) use pages::{PageSource, Pages};
+pub(crate) use sheet::sheet_shot;
+use shot::Piece;
+pub(crate) use shot::{Shot, book_indices, book_shot};

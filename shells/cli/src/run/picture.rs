@@ -1,0 +1,48 @@
+//! The animation of a scene: blank paper, for a scene has no book to read from.
+
+use super::Frame;
+use crate::error::CliError;
+use crate::picture::{Film, Look, Pages, Set};
+use crate::scene::{Body, Scene};
+use dogleaf_core::scene::Direction;
+use std::path::{Path, PathBuf};
+
+/// Frames of an animation a second, at most: players make a mess of more.
+const MOST_FPS: f64 = 30.0;
+
+/// Frames on their way into an animation.
+pub(super) struct Picture {
+    look: Look,
+    film: Film,
+    out: PathBuf,
+    fps: u32,
+    /// Every so many frames of the scene are shown.
+    every: u32,
+}
+
+impl Picture {
+    pub(super) fn open(out: &Path, scene: &Scene) -> Result<Self, CliError> {
+        let (direction, cover) = match scene.body {
+            Body::Book(book) => (book.direction, Some(book.cover)),
+            Body::Leaf(_) => (Direction::Ltr, None),
+        };
+        let thickness_m = (scene.paper.thickness_mm * 1e-3) as f32;
+        let set = Set { view: scene.view, direction, cover, thickness_m };
+        let rate = 1e6 / f64::from(scene.frame_us);
+        let every = (rate / MOST_FPS - 0.01).ceil().max(1.0) as u32;
+        let fps = (rate / f64::from(every)).round().max(1.0) as u32;
+        let look = Look::new(set, Pages::new(None))?;
+        Ok(Self { look, film: Film::default(), out: out.to_owned(), fps, every })
+    }
+
+    pub(super) fn frame(&mut self, frame: &Frame<'_>) -> Result<(), CliError> {
+        if frame.number % self.every == 0 {
+            self.film.add(frame.sim.shot()?);
+        }
+        Ok(())
+    }
+
+    pub(super) fn finish(mut self) -> Result<(), CliError> {
+        self.film.write(&mut self.look, &self.out, self.fps)
+    }
+}

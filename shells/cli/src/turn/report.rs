@@ -1,0 +1,74 @@
+//! What a turn came to: a few lines, or one object.
+
+use super::play::Figures;
+use crate::error::CliError;
+use serde::Serialize;
+use std::io::Write;
+
+#[derive(Serialize)]
+struct Report<'a> {
+    steps: u32,
+    step_us: StepUs,
+    stretch: Stretch,
+    committed_page: Option<u32>,
+    simulated: &'a [&'static str],
+    out: &'a str,
+}
+
+#[derive(Serialize)]
+struct StepUs {
+    median: f64,
+    p99: f64,
+}
+
+#[derive(Serialize)]
+struct Stretch {
+    max: f64,
+    avg_max: f64,
+    rms: f64,
+}
+
+/// Prints the figures of a turn.
+pub(super) fn print(figures: &Figures, json: bool, out: String) -> Result<(), CliError> {
+    let [median, p99] = figures.step_us();
+    let [max, avg_max, rms] = figures.stretch();
+    let report = Report {
+        steps: figures.steps,
+        step_us: StepUs { median, p99 },
+        stretch: Stretch { max, avg_max, rms },
+        committed_page: figures.committed,
+        simulated: &figures.simulated,
+        out: &out,
+    };
+    let text = if json {
+        serde_json::to_string(&report).unwrap_or_default() + "\n"
+    } else {
+        lines(&report, figures)
+    };
+    let written = std::io::stdout().lock().write_all(text.as_bytes());
+    written.map_err(|e| CliError::write("standard output".as_ref(), &e))
+}
+
+fn lines(r: &Report<'_>, figures: &Figures) -> String {
+    let percent = |share: f64| 100.0 * share;
+    let turned = match r.committed_page {
+        Some(page) => format!("turned: open at page {page}"),
+        None => "put back".to_owned(),
+    };
+    format!(
+        "{turned}\n\
+         steps      {}, {:.1} µs median, {:.1} µs p99, {} at worst\n\
+         stretch    {:.2} % at most, {:.2} % mean of the largest, {:.3} % RMS\n\
+         simulated  {}\n\
+         written    {}\n",
+        r.steps,
+        r.step_us.median,
+        r.step_us.p99,
+        figures.total.status.name(),
+        percent(r.stretch.max),
+        percent(r.stretch.avg_max),
+        percent(r.stretch.rms),
+        r.simulated.join(", "),
+        r.out,
+    )
+}
