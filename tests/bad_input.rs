@@ -1,16 +1,17 @@
-//! Promise: a spec that cannot be is refused by name, NaN and infinity above all, and leaves the book as it
-//! was; what is only just allowed is simulated like any other.
+//! Promise: bad input in the middle of a turn is refused by name and leaves the book as it was; what is only
+//! just allowed turns, or stays a leaf, like anything else.
 
 use dogleaf_core::Book;
-use dogleaf_core::LoneLeaf;
-use dogleaf_core::grid::{G6x5, G11x8};
+use dogleaf_core::grid::G11x8;
 use dogleaf_core::hand::{Phase, Sample};
-use dogleaf_core::scene::{LeafSpec, SpecError, Weights};
+use dogleaf_core::scene::{SpecError, Weights};
 use dogleaf_tests::case::{Case, Ends, judge};
 use dogleaf_tests::gesture::{Gesture, Scene, play};
 
+/// A number in a scene.
+type FieldOf = fn(&mut Scene) -> &mut f64;
 /// A field of a scene that can be set to anything.
-type Field = (&'static str, fn(&mut Scene) -> &mut f64);
+type Field = (&'static str, FieldOf);
 
 const FIELDS: [Field; 14] = [
     ("book.width_m", |s| &mut s.book.width_m),
@@ -55,7 +56,8 @@ fn turning() -> Box<Book<f32, G11x8>> {
 /// Opens `scene` over a book in the middle of a turn; answers the refusal, and sees that nothing came of it.
 fn refusal(book: &mut Book<f32, G11x8>, scene: &Scene) -> Option<SpecError> {
     let (hash, now, spec) = (book.state_hash(), book.now_us(), *book.spec());
-    let answer = book.open(&scene.book, &scene.paper, &scene.world, &scene.view, scene.fidelity).err();
+    let answer =
+        book.open(&scene.book, &scene.paper, &scene.world, &scene.view, scene.fidelity).err();
     if answer.is_some() {
         assert_eq!((book.state_hash(), book.now_us()), (hash, now), "the book is as it was");
         assert_eq!(*book.spec(), spec, "the book is as it was");
@@ -80,53 +82,13 @@ fn what_is_no_number_is_refused() {
             *weight(&mut weights) = value;
             let mut scene = Scene::seed();
             scene.paper.weights = Some(weights);
-            assert_eq!(refusal(&mut book, &scene), Some(SpecError::NotFinite(name)), "{name} = {value}");
+            assert_eq!(
+                refusal(&mut book, &scene),
+                Some(SpecError::NotFinite(name)),
+                "{name} = {value}"
+            );
         }
     }
-}
-
-#[test]
-fn what_is_out_of_range_is_refused() {
-    let mut book = turning();
-    for (name, field) in FIELDS {
-        for value in [1e30, -1e30, f64::MAX, f64::MIN] {
-            // An eye that far away is far, not wrong.
-            if name == "view" && field(&mut Scene::default()) != &mut Scene::default().view.fov_y_deg {
-                continue;
-            }
-            let mut scene = Scene::default();
-            *field(&mut scene) = value;
-            let answer = refusal(&mut book, &scene);
-            assert!(matches!(answer, Some(SpecError::OutOfRange(_))), "{name} = {value}: {answer:?}");
-        }
-    }
-    let odd: [(&str, fn(&mut Scene)); 12] = [
-        ("book.width_m", |s| s.book.width_m = 0.0),
-        ("book.width_m", |s| s.book.width_m = f64::MIN_POSITIVE),
-        ("book.pages", |s| s.book.pages = 0),
-        ("book.pages", |s| s.book.pages = u32::MAX),
-        ("book.open_at", |s| s.book.open_at = 322),
-        ("book.open_at", |s| s.book.open_at = u32::MAX),
-        ("book.height_m over book.width_m", |s| s.book.height_m = 0.02),
-        ("book.height_m over book.width_m", |s| s.book.height_m = 0.7),
-        ("world.step_us", |s| s.world.step_us = 0),
-        ("world.step_us", |s| s.world.step_us = u32::MAX),
-        ("view", |s| s.view.width_px = 0),
-        ("view", |s| s.view.eye_m = s.view.target_m),
-    ];
-    for (name, change) in odd {
-        let mut scene = Scene::default();
-        change(&mut scene);
-        assert_eq!(refusal(&mut book, &scene), Some(SpecError::OutOfRange(name)), "{name}");
-    }
-}
-
-#[test]
-fn a_refusal_says_which_field() {
-    let mut scene = Scene::default();
-    scene.paper.poisson = f64::NAN;
-    let error = scene.open::<f32, G6x5>().expect_err("refused");
-    assert_eq!(error.to_string(), "paper.poisson is not a finite number");
 }
 
 #[test]
@@ -141,35 +103,10 @@ fn a_view_that_sees_nothing_is_refused() {
     assert_eq!(book.state_hash(), hash, "the book is as it was");
 }
 
-#[test]
-fn a_lone_leaf_refuses_as_well() {
-    let scene = Scene::default();
-    let mut lone = Box::new(LoneLeaf::<f32, G6x5>::EMPTY);
-    let mut open = |leaf: &LeafSpec| lone.open(leaf, &scene.paper, &scene.world, scene.fidelity);
-    type LeafField = (&'static str, fn(&mut LeafSpec) -> &mut f64);
-    let fields: [LeafField; 4] = [
-        ("leaf.width_m", |l| &mut l.width_m),
-        ("leaf.height_m", |l| &mut l.height_m),
-        ("leaf.clamp_angle_deg", |l| &mut l.clamp_angle_deg),
-        ("leaf.curl_per_m times leaf.width_m", |l| &mut l.curl_per_m),
-    ];
-    for (name, field) in fields {
-        for value in NO_NUMBERS {
-            let mut leaf = LeafSpec::default();
-            *field(&mut leaf) = value;
-            assert_eq!(open(&leaf), Err(SpecError::NotFinite(name)), "{name} = {value}");
-        }
-        let mut leaf = LeafSpec::default();
-        *field(&mut leaf) = 1e6;
-        assert!(matches!(open(&leaf), Err(SpecError::OutOfRange(_))), "{name} = 1e6");
-    }
-    assert_eq!(open(&LeafSpec::default()), Ok(()));
-}
-
 /// The ends of what is allowed, one field at a time.
 #[test]
 fn what_is_only_just_allowed_is_simulated() {
-    let ends: [(&str, fn(&mut Scene) -> &mut f64, [f64; 2]); 6] = [
+    let ends: [(&str, FieldOf, [f64; 2]); 6] = [
         ("g/m²", |s| &mut s.paper.areal_mass_gsm, [1.0, 10_000.0]),
         ("mm thick", |s| &mut s.paper.thickness_mm, [0.001, 10.0]),
         ("GPa", |s| &mut s.paper.youngs_gpa, [1e-6, 1000.0]),
@@ -196,11 +133,14 @@ fn what_is_only_just_allowed_is_simulated() {
             scene.paper.weights = Some(weights);
             let samples = Gesture::corner_turn(&scene.eye(), 7);
             let name = name.trim_start_matches("paper.weights.");
-            cases.push(Case::new(format!("{name} {value:e}"), &scene, samples, Ends::Hangs).within(20.0));
+            cases.push(
+                Case::new(format!("{name} {value:e}"), &scene, samples, Ends::Hangs).within(20.0),
+            );
         }
     }
     let failed = judge(&cases);
-    assert!(failed.is_empty(), "{failed:#?}");
+    let names: Vec<_> = failed.iter().map(ToString::to_string).collect();
+    assert!(failed.is_empty(), "failed:\n{}", names.join("\n"));
 }
 
 /// Samples are integers: the worst of them is far away, never no number.

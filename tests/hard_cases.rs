@@ -2,9 +2,9 @@
 //! finite, every status has a name, no edge leaves the band, no leaf is lost, every leaf taken up comes to
 //! lie once, and the book comes to rest in time.
 
+use dogleaf_core::grid::G11x8;
 use dogleaf_core::hand::{Phase, Sample};
 use dogleaf_core::scene::{BookSpec, Cover, Direction, Fidelity, PaperSpec, Preset};
-use dogleaf_core::grid::G11x8;
 use dogleaf_tests::case::{Case, Ends, judge};
 use dogleaf_tests::depth::deepest;
 use dogleaf_tests::gesture::{Eye, Gesture, Rng, Scene, TOUCH_US};
@@ -68,10 +68,8 @@ fn page_counts() -> Vec<Case> {
 fn stacks() -> Vec<Case> {
     let scene = Scene::open_at(160, 60);
     let step = if cfg!(debug_assertions) { 11 } else { 1 };
-    let case = |n| {
-        Case::new(format!("{n} of 80 leaves"), &scene, turn_stack(&scene, n), Ends::Turned)
-            
-    };
+    let case =
+        |n| Case::new(format!("{n} of 80 leaves"), &scene, turn_stack(&scene, n), Ends::Turned);
     let mut cases: Vec<_> = (1..=45).step_by(step).map(case).collect();
     let all = turn_stack(&scene, u16::MAX);
     cases.push(Case::new("more leaves than there are", &scene, all, Ends::Turned));
@@ -165,6 +163,8 @@ fn wild_hands() -> Vec<Case> {
         add("whole range of the numbers", extremes(&eye));
         let up = press(&eye).to(eye.above(0.0, 0.7, 0.8), 500_000).hold(20_000_000).up();
         add("held at the top for 20 s", up);
+        let over_spine = press(&eye).to(eye.above(0.0, 0.7, 0.0), 700_000).hold(700_000).up();
+        add("let go exactly over the spine", over_spine);
         let over = press(&eye).to(eye.page(-0.9, 0.8), 1).up();
         add("across in one sample", over);
         let under = press(&eye).to(eye.above(-0.5, -0.6, 0.8), 800_000).up();
@@ -326,6 +326,7 @@ fn the_depth_is_seen() {
     assert!(book.take_up(true, 1), "there is a leaf");
     let thickness = book.binding().leaf;
     assert!(deepest(&book).abs() < 0.5 * thickness, "touches: {}", deepest(&book));
-    let table = Case::new("no leaf", &Scene::open_at(2, 2), turn(&Scene::open_at(2, 2)), Ends::Turned);
+    let table =
+        Case::new("no leaf", &Scene::open_at(2, 2), turn(&Scene::open_at(2, 2)), Ends::Turned);
     assert_eq!(table.run::<f32>().faults.len(), 1, "a turn that cannot be is seen");
 }

@@ -80,11 +80,11 @@ same!(picks_are_the_same, |[a, b, c]| Num::pick_less(a, b, c, a));
 fn constants<R: Real>() {
     for value in [0.0, -0.0, 0.1, -1e-42, 1e300, f64::INFINITY, f64::NAN] {
         let expected = [R::of(value).bits(); LANES];
-        assert_eq!(bits(R::Lanes::of(value).array()), expected);
-        assert_eq!(bits(R::Lanes::all(R::of(value)).array()), expected);
+        assert_eq!(bits(R::Lanes::of(value).array()), expected, "{value}");
+        assert_eq!(bits(R::Lanes::all(R::of(value)).array()), expected, "{value}");
     }
-    assert_eq!(bits(R::Lanes::zero().array()), [R::ZERO.bits(); LANES]);
-    assert_eq!(bits(R::Lanes::one().array()), [R::of(1.0).bits(); LANES]);
+    assert_eq!(bits(R::Lanes::zero().array()), [R::ZERO.bits(); LANES], "zero");
+    assert_eq!(bits(R::Lanes::one().array()), [R::of(1.0).bits(); LANES], "one");
 }
 
 #[test]
@@ -148,8 +148,8 @@ fn choice<R: Real>() {
         assert_eq!(a.larger(b).bits(), larger.bits(), "the larger of {a:?} and {b:?}");
         assert_eq!(a.smaller(b).bits(), smaller.bits(), "the smaller of {a:?} and {b:?}");
     }
-    assert_eq!(R::pick_less(nan, one, one, zero).bits(), zero.bits());
-    assert_eq!(R::pick_less(minus, zero, one, zero).bits(), zero.bits());
+    assert_eq!(R::pick_less(nan, one, one, zero).bits(), zero.bits(), "NaN is not less");
+    assert_eq!(R::pick_less(minus, zero, one, zero).bits(), zero.bits(), "nor is -0");
 }
 
 #[test]
@@ -171,7 +171,7 @@ fn loads_and_stores<R: Real>() {
         let written = to.iter().filter(|v| **v != R::of(-1.0)).count();
         assert_eq!(written, if inside { LANES } else { 0 }, "lanes stored at {at}");
     }
-    assert_eq!(R::Lanes::load(&from, usize::MAX).array(), [R::ZERO; LANES]);
+    assert_eq!(R::Lanes::load(&from, usize::MAX).array(), [R::ZERO; LANES], "far outside");
 }
 
 #[test]

@@ -51,7 +51,10 @@ impl Lone {
             assert_ne!(report.status, StepStatus::Held, "{name}");
             let s = lone.stretch();
             let (least, most) = (1.0 + s.smallest.wide(), 1.0 + s.largest.wide());
-            assert!(least > 0.5 && most < 1.6, "{name}: edges from {least:.2} to {most:.2} of rest");
+            assert!(
+                least > 0.5 && most < 1.6,
+                "{name}: edges from {least:.2} to {most:.2} of rest"
+            );
             seen.worst = seen.worst.max(s.max().wide());
             seen.fastest = leaf.fastest().wide();
             if seen.fastest > REST {
@@ -62,8 +65,15 @@ impl Lone {
         seen.tip = lone.leaf().x.at(G::NX - 1, G::NZ / 2).0.map(|c| c.wide() / 12.0);
         println!(
             "{name:28} {} {:2}x{:2}  tip ({:6.3}, {:6.3})  rest {:5.2} s  worst {:5.2} %  {} cuts {}",
-            R::NAME, G::NX, G::NZ, seen.tip[0], seen.tip[1], seen.rest_s, 100.0 * seen.worst,
-            seen.work.status.name(), seen.work.cuts,
+            R::NAME,
+            G::NX,
+            G::NZ,
+            seen.tip[0],
+            seen.tip[1],
+            seen.rest_s,
+            100.0 * seen.worst,
+            seen.work.status.name(),
+            seen.work.cuts,
         );
         seen
     }

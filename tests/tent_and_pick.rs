@@ -199,7 +199,8 @@ fn picks_the_nearest<G: Grid>() {
         let (leaf, ray) = (posed::<G>(&mut random), ray(&mut random));
         let (node, distance_sq) = pick(&leaf, &ray);
         assert!(holdable::<G>(node), "{node:?} is one segment in from the border");
-        assert_eq!(distance_sq, ray.distance_sq(leaf.x.at(node.0, node.1)));
+        let own = ray.distance_sq(leaf.x.at(node.0, node.1));
+        assert_eq!(distance_sq, own, "{node:?} at its own distance");
         let nodes = Field::<f64, G>::nodes().filter(|n| holdable::<G>(*n));
         let least = nodes.map(|(i, k)| ray.distance_sq(leaf.x.at(i, k))).fold(1e30, f64::min);
         assert_eq!(distance_sq, least, "{node:?} is the nearest");

@@ -7,6 +7,7 @@ mod bans;
 mod no_std;
 mod peers;
 mod shell;
+mod seed_slots;
 mod slots;
 mod source;
 mod style;

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::tally::Tally;
-use crate::{all, no_std, peers, slots, style, tests, tree};
+use crate::{all, no_std, peers, seed_slots, slots, style, tests, tree};
 
 /// Why a word did not pass.
 #[derive(Debug)]
@@ -124,6 +124,7 @@ fn pattern(args: &[String]) -> Result {
     let check = flag(args, "--check")?;
     eprintln!("> slots{}", if check { " --check" } else { "" });
     slots::run(check)?;
+    seed_slots::run(check)?;
     Ok(Tally::default())
 }
 

@@ -14,6 +14,8 @@ pub mod collision;
 pub mod hand;
 pub mod event;
 pub mod book;
+#[cfg(feature = "seed")]
+pub mod seed;
 pub mod mesh;
 pub mod record;
 

@@ -148,7 +148,11 @@ impl core::fmt::Display for Row {
         let [mean, worst] = [s.air.mean_max(), s.air.worst].map(|v| 100.0 * v);
         let [gap, sunk] = [s.gap, s.sunk].map(|v| 100.0 * v);
         write!(f, "{:40} {:4}  {:15} {rest:>7}", self.name, self.real, self.end())?;
-        write!(f, "  {mean:6.2} % {worst:5.1} % {gap:5.1} {sunk:5.2}  {:12}", self.worst_status().name())?;
+        write!(
+            f,
+            "  {mean:6.2} % {worst:5.1} % {gap:5.1} {sunk:5.2}  {:12}",
+            self.worst_status().name()
+        )?;
         write!(f, " {:4} {:5} {:5} {:5}", s.kept(), w.cuts, w.clamped, w.refused)?;
         self.faults.iter().try_for_each(|what| write!(f, "  <- {what}"))
     }

@@ -204,7 +204,7 @@ impl Gesture {
     /// A corner carried over the spine to the other fore-edge in one second; everything else by the seed.
     pub fn corner_turn(eye: &Eye, seed: u64) -> Vec<Sample> {
         let mut rng = Rng::new(seed);
-        let side = if rng.bits() % 2 == 0 { 1.0 } else { -1.0 };
+        let side = if rng.bits().is_multiple_of(2) { 1.0 } else { -1.0 };
         let along = side * rng.within(0.75, 0.95);
         let drift = rng.within(-2.0, 2.0) / eye.half_height;
         let a = eye.page(rng.within(0.83, 0.96), along);

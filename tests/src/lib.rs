@@ -2,7 +2,9 @@
 
 pub mod case;
 pub mod depth;
+pub mod elastica;
 pub mod gesture;
+pub mod golden;
 pub mod watch;
 pub mod dense;
 pub mod differences;

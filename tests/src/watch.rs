@@ -85,7 +85,8 @@ impl Watch {
         self.stretch(book);
         self.rest = (!book.needs_frame()).then(|| self.rest.unwrap_or(self.frames));
         if self.complaint.is_none() {
-            self.complaint = fault(book).map(|what| format!("picture {}: {what}", self.frames));
+            let what = fault(book).or_else(|| self.sinks(book));
+            self.complaint = what.map(|what| format!("picture {}: {what}", self.frames));
         }
     }
 
@@ -95,12 +96,22 @@ impl Watch {
         let top = nodes.fold(R::ZERO, |m, (i, k)| m.larger(leaf.x.at(i, k).0[1]));
         let side = usize::from(leaf.x.at(G::NX - 1, 0).0[0] > R::ZERO);
         self.gap = (top - book.binding().thickness()[side]).wide() / 12.0;
-        self.sunk = self.sunk.max(deepest(book) / 12.0);
+        if !matches!(self.last, StepStatus::Held | StepStatus::Recovered) {
+            self.sunk = self.sunk.max(deepest(book) / 12.0);
+        }
         let s = book.stretch();
         self.air.take(s.max().wide(), s.rms().wide());
         if book.held().is_some() {
             self.drag.take(s.max().wide(), s.rms().wide());
         }
+    }
+
+    /// Deeper in a block than half a leaf after the collision passes; a pose that was kept had none.
+    fn sinks<R: Real, G: Grid>(&self, book: &Book<R, G>) -> Option<String> {
+        let kept = matches!(self.last, StepStatus::Held | StepStatus::Recovered);
+        let (depth, half) = (deepest(book), book.binding().half_held().wide());
+        (!kept && depth > half)
+            .then(|| format!("{depth:.4} deep in a block, half a leaf is {half:.4}"))
     }
 
     /// How often leaves were taken up, came to lie on the other side, came back.
@@ -142,10 +153,6 @@ pub fn fault<R: Real, G: Grid>(book: &Book<R, G>) -> Option<String> {
     let leaf = book.leaf()?;
     if !(leaf.x.finite() && leaf.v.finite() && leaf.pushed.finite()) {
         return Some("the leaf is not finite".into());
-    }
-    let (sunk, half) = (deepest(book), book.binding().half_held().wide());
-    if sunk > half {
-        return Some(format!("{sunk:.4} deep in a block, half a leaf is {half:.4}"));
     }
     let s = book.stretch();
     let (least, most) = (1.0 + s.smallest.wide(), 1.0 + s.largest.wide());

@@ -7,6 +7,8 @@
 mod binding;
 mod lone;
 mod open;
+#[cfg(feature = "seed")]
+mod parts;
 mod settle;
 mod step;
 mod touch;
@@ -14,6 +16,8 @@ mod touch;
 pub use binding::Binding;
 pub use lone::LoneLeaf;
 pub use open::InputError;
+#[cfg(feature = "seed")]
+pub(crate) use parts::Parts;
 
 use crate::event::{Event, Events};
 use crate::grid::Grid;

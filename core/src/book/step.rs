@@ -22,6 +22,15 @@ impl<R: Real, G: Grid> Book<R, G> {
     ///
     /// At most eight world steps of [`Settings::substeps`](crate::scene::Settings) each; nothing while asleep.
     pub fn advance(&mut self, dt_us: u32) -> StepReport {
+        self.advance_by(dt_us, Self::substep)
+    }
+
+    /// [`Book::advance`] by another substep than the product's.
+    pub(crate) fn advance_by(
+        &mut self,
+        dt_us: u32,
+        mut substep: impl FnMut(&mut Self, &mut StepReport),
+    ) -> StepReport {
         let mut report = nothing();
         self.owed_us += u64::from(dt_us);
         for _ in 0..MOST_STEPS {
@@ -29,7 +38,7 @@ impl<R: Real, G: Grid> Book<R, G> {
                 break;
             }
             self.owed_us -= u64::from(self.step_us);
-            report.add(&self.step());
+            report.add(&self.step_by(&mut substep));
         }
         self.owed_us = self.owed_us.min(u64::from(self.step_us));
         report
@@ -37,6 +46,10 @@ impl<R: Real, G: Grid> Book<R, G> {
 
     /// One world step.
     pub fn step(&mut self) -> StepReport {
+        self.step_by(&mut Self::substep)
+    }
+
+    fn step_by(&mut self, substep: &mut impl FnMut(&mut Self, &mut StepReport)) -> StepReport {
         let mut report = nothing();
         let until = self.now_us + u64::from(self.step_us);
         while let Some(sample) = self.samples.front().copied().filter(|s| s.t_us <= until) {
@@ -45,7 +58,7 @@ impl<R: Real, G: Grid> Book<R, G> {
         }
         if !self.asleep {
             for _ in 0..self.settings.substeps {
-                self.substep(&mut report);
+                substep(self, &mut report);
             }
             report.steps = 1;
         }

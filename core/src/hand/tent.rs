@@ -12,6 +12,8 @@ const PEAK: f64 = 0.75;
 const REACH: f64 = 0.95;
 /// How far along the binding a target may leave the node's own place, as a share of that distance.
 const SIDEWAYS: f64 = 0.35;
+/// Highest foot of the tent, as a share of the node's distance: in a book thicker than its pages are wide.
+const HIGHEST_FOOT: f64 = 0.9;
 /// How taut the leaf may be drawn, as a share of its own length.
 const TAUT: f64 = 0.985;
 
@@ -29,9 +31,19 @@ pub struct Tent<R> {
 }
 
 impl<R: Real> Tent<R> {
-    /// How far out the tent reaches on either side.
+    /// How far out the tent reaches on either side: less over a thick block, where its foot stands high.
     pub fn reach(&self) -> R {
-        self.radius * R::of(REACH)
+        let [left, right] = [self.foot(-R::of(1.0)), self.foot(R::of(1.0))];
+        let foot = left.larger(right);
+        let taut = self.radius * R::of(TAUT);
+        let rope = (taut * taut - foot * foot).larger(R::ZERO).root();
+        rope.smaller(self.radius * R::of(REACH))
+    }
+    /// Height of the tent's foot on the side of `x`, within what the leaf can reach.
+    fn foot(&self, x: R) -> R {
+        let [left, right] = self.floor;
+        let floor = if x < R::ZERO { left } else { right };
+        floor.smaller(self.radius * R::of(HIGHEST_FOOT))
     }
     /// How far a target at `x` may stray towards the tail (`+Z`) and the head.
     ///
@@ -53,9 +65,7 @@ impl<R: Real> Tent<R> {
     /// Height at `x`, which is measured from the root.
     pub fn height(&self, x: R) -> R {
         let out = (x.magnitude() / self.reach()).smaller(R::of(1.0));
-        let [left, right] = self.floor;
-        let floor = if x < R::ZERO { left } else { right };
         let peak = self.radius * R::of(PEAK);
-        floor * out + peak * (R::of(1.0) - out)
+        self.foot(x) * out + peak * (R::of(1.0) - out)
     }
 }

@@ -1,6 +1,6 @@
 //! The camera: from a place on the screen to a ray into the book.
 
-use crate::real::{Real, V3};
+use crate::real::{Num, Real, V3};
 use crate::scene::{SpecError, Units};
 
 /// Where the reader looks from. Metres, book frame; a pinhole camera.
@@ -20,6 +20,8 @@ pub struct View {
 
 /// Tilt of the reader's gaze from straight down, as (cosine, sine).
 const TILT: (f64, f64) = (0.848_048_096_156_426, 0.529_919_264_233_205);
+/// Furthest an eye or a target may be from the book, metres.
+const FURTHEST_M: f64 = 1e4;
 /// Share of the picture the open book fills.
 const FILL: f64 = 0.80;
 
@@ -43,7 +45,8 @@ impl View {
     ///
     /// # Errors
     ///
-    /// The first field out of range; an eye at its target or straight along Z.
+    /// `view`: a number that is not finite, a place beyond 10 km, an opening outside 1° to 150°, a picture without
+    /// pixels or above 16,384, an eye at its target, or a gaze straight down where "up" has no direction.
     pub fn check(&self) -> Result<(), SpecError> {
         let all = self.eye_m.iter().chain(&self.target_m).chain([&self.fov_y_deg]);
         if all.into_iter().any(|v| !v.is_finite()) {
@@ -53,8 +56,9 @@ impl View {
         let Camera { forward, right, .. } =
             self.camera::<f64>(&Units { metres: 1.0, kilograms: 1.0 });
         let turned = forward.norm_sq() > 0.5 && right.norm_sq() > 0.5;
+        let near = self.eye_m.iter().chain(&self.target_m).all(|v| v.magnitude() <= FURTHEST_M);
         let open = (1.0..=150.0).contains(&self.fov_y_deg);
-        if sizes && turned && open { Ok(()) } else { Err(SpecError::OutOfRange("view")) }
+        if sizes && near && turned && open { Ok(()) } else { Err(SpecError::OutOfRange("view")) }
     }
 
     /// The camera in model units.

@@ -129,9 +129,10 @@ impl<R: Real, G: Grid> Factor<R, G> {
         let last = own.len() - LANES * LANES;
         let (left, right) = own.split_at_mut(last);
         let mut tile = load_tile::<R>(right, 0);
+        let diagonal = diagonal::<R>(&tile);
         let used = left.get((place.first - place.stored) * LANES..).unwrap_or(&[]);
         subtract::<R>(&mut tile, used, used);
-        let (inverse, replaced) = invert_factor::<R>(&tile);
+        let (inverse, replaced) = invert_factor::<R>(&tile, &diagonal);
         self.regularised += replaced;
         store_tile::<R>(&inverse, self.inverses.as_mut(), p * LANES * LANES);
     }
@@ -216,24 +217,29 @@ fn times_transposed<R: Real>(tile: &Tile<R>, inverse: &Tile<R>) -> Tile<R> {
 }
 
 /// Inverse of the Cholesky factor of one diagonal block, row by row, and how many pivots were replaced.
+/// `diagonal` holds the matrix's own entries: a pivot is small against what it was before elimination.
 #[inline(always)]
-fn invert_factor<R: Real>(block: &Tile<R>) -> (Tile<R>, u32) {
+fn invert_factor<R: Real>(block: &Tile<R>, diagonal: &[R; LANES]) -> (Tile<R>, u32) {
     let mut work = Inversion {
         columns: block.map(|c| c.array()),
         rows: [R::Lanes::zero(); LANES],
         replaced: 0,
     };
-    let diagonal: [R; LANES] =
-        core::array::from_fn(|j| block.get(j).map_or(R::ZERO, |c| lane::<R>(&c.array(), j)));
-    work.column::<0>(&diagonal);
-    work.column::<1>(&diagonal);
-    work.column::<2>(&diagonal);
-    work.column::<3>(&diagonal);
-    work.column::<4>(&diagonal);
-    work.column::<5>(&diagonal);
-    work.column::<6>(&diagonal);
-    work.column::<7>(&diagonal);
+    work.column::<0>(diagonal);
+    work.column::<1>(diagonal);
+    work.column::<2>(diagonal);
+    work.column::<3>(diagonal);
+    work.column::<4>(diagonal);
+    work.column::<5>(diagonal);
+    work.column::<6>(diagonal);
+    work.column::<7>(diagonal);
     (work.rows, work.replaced)
+}
+
+/// The diagonal entries of a block.
+#[inline(always)]
+fn diagonal<R: Real>(block: &Tile<R>) -> [R; LANES] {
+    core::array::from_fn(|j| block.get(j).map_or(R::ZERO, |c| lane::<R>(&c.array(), j)))
 }
 
 #[inline(always)]

@@ -7,7 +7,7 @@
 use super::curve::{Knot, Polyline, unit};
 use super::layout::{LEVELS, Layout};
 use super::prism::{Form, Prism};
-use super::{Vertex, spline};
+use super::{Vertex, columns, spline};
 use crate::book::Book;
 use crate::grid::Grid;
 use crate::real::{Real, V2, V3};
@@ -32,20 +32,15 @@ pub(super) fn write<R: Real, G: Grid>(book: &Book<R, G>, on_right: bool, out: &m
         metres: book.units().metres as f32,
     };
     let Some(mut prism) = Prism::new(form, out) else { return };
-    let end = strip.x[0].0.map(Real::narrow);
+    let end = V2(strip.x[0].0.map(Real::narrow));
     let midline = dense(strip);
     let mut line = Polyline::new();
+    let last = form.columns - 1;
     for level in 0..LEVELS {
         let height = thickness.narrow() * (level as f32 / (LEVELS - 1) as f32);
-        line.clear();
-        // The underside has no way round the end.
-        let from = if level == 0 { FAN } else { 0 };
-        for knot in midline.iter().skip(from) {
-            let forward = V3([knot.n.0[1], -knot.n.0[0], 0.0]);
-            line.push(Knot { p: knot.p + knot.n * height, n: knot.n }, forward);
-        }
-        for (column, (share, knot)) in line.pace(form.columns - 1).enumerate() {
-            prism.set(column, level, share, knot.p.xy() + V2(end), knot.n.xy());
+        curve(&midline, height, &mut line);
+        for (column, (share, knot)) in line.pace(last, columns::steps(last)).enumerate() {
+            prism.set(column, level, share, knot.p.xy() + end, knot.n.xy());
         }
     }
     prism.finish();
@@ -56,8 +51,19 @@ pub(super) fn half_height<R: Real, G: Grid>(book: &Book<R, G>) -> f32 {
     book.sheet().spacing[1].narrow() * 0.5 * (G::NZ - 1) as f32
 }
 
+/// The curve at `height` above the midline, seen from the midline's first node.
+pub(super) fn curve(midline: &[Knot; DENSE], height: f32, line: &mut Polyline) {
+    line.clear();
+    // The underside has no way round the end.
+    let from = if height > 0.0 { 0 } else { FAN };
+    for knot in midline.iter().skip(from) {
+        let forward = V3([knot.n.0[1], -knot.n.0[0], 0.0]);
+        line.push(Knot { p: knot.p + knot.n * height, n: knot.n }, forward, 0.0);
+    }
+}
+
 /// The midline as a smooth curve seen from its first node, with its normals; the fan before it.
-fn dense<R: Real>(strip: &Strip<R, BLOCK>) -> [Knot; DENSE] {
+pub(super) fn dense<R: Real>(strip: &Strip<R, BLOCK>) -> [Knot; DENSE] {
     let spans = Smooth::new(strip);
     let mut knots = [Knot { p: V3([0.0; 3]), n: V3([0.0; 3]) }; DENSE];
     for (n, knot) in knots.iter_mut().skip(FAN).enumerate() {

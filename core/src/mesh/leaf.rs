@@ -15,9 +15,13 @@ use super::normals::{Net, direction};
 use super::{Vertex, columns, spline};
 use crate::book::Book;
 use crate::grid::Grid;
+use crate::scene::units::WIDTH;
 use crate::real::{LANES, Lanes, Num, Real, V3};
 use crate::state::field::blocks;
 use crate::state::{Leaf, Sheet};
+
+/// A corner of an offset row this little ahead of the last one, as a share of two columns, is dropped.
+const LEAST: f32 = 0.1;
 
 /// What the sides of a leaf are drawn with.
 #[derive(Debug, Clone, Copy)]
@@ -35,7 +39,7 @@ pub(super) fn write<R: Real, G: Grid>(book: &Book<R, G>, leaf: &Leaf<R, G>, out:
     let Some((up, rest)) = out.split_at_mut_checked(size) else { return };
     let Some((down, rim)) = rest.split_at_mut_checked(size) else { return };
     let half = book.binding().half_held();
-    let clear = Clear::new(book.binding().profiles(book.blocks()), half);
+    let clear = Clear::new(book.binding().profiles(book.blocks()), book.blocks(), half, columns - 1);
     across(book.sheet(), leaf, &clear, up);
     along::<G>(up, down);
     let net = Net { columns, rows, side: 1.0 };
@@ -70,19 +74,30 @@ fn across<R: Real, G: Grid>(
     for k in blocks::<G>() {
         let node = |i: usize| leaf.x.rows(i, k, 0);
         spline::slopes(G::NX, node, &mut slopes);
+        if let Some(root) = slopes.first_mut() {
+            // Below the binding is no way out.
+            root.0[1] = root.0[1].larger(R::Lanes::zero());
+        }
+        spline::round_folds::<R>(G::NX, node, &mut slopes, &rows_there::<R, G>(k));
         spline::even_out(&mut slopes, R::Lanes::all(sheet.spacing[0]));
         let slope = |i: usize| slopes.get(i).copied().unwrap_or_else(V3::zero);
         let shares = columns::shares(Layout::<G>::COLUMNS - 1);
-        for (share, column) in shares.zip(up.chunks_exact_mut(rows)) {
+        for (j, (share, column)) in shares.zip(up.chunks_exact_mut(rows)).enumerate() {
             let t = share * (G::NX - 1) as f64;
             let i = (t as usize).min(G::NX - 2);
             let w = spline::weights(t - i as f64);
             let p = spline::blend([node(i), node(i + 1)], [slope(i), slope(i + 1)], w);
-            let s = R::of(share * crate::scene::units::WIDTH);
-            let lifted = if share > 0.0 { clear.lift(p, s) } else { p };
+            let s = R::of(share * WIDTH);
+            let lifted = if share > 0.0 { clear.lift(p, j, s) } else { p };
             store::<R>(lifted, column.iter_mut().step_by(ALONG).skip(k));
         }
     }
+}
+
+/// One for every lane that is a row, else zero.
+fn rows_there<R: Real, G: Grid>(k: usize) -> R::Lanes {
+    let one = |lane: usize| R::of(if k + lane < G::NZ { 1.0 } else { 0.0 });
+    R::Lanes::from_array(core::array::from_fn(one))
 }
 
 fn store<'a, R: Real>(p: V3<R::Lanes>, slots: impl Iterator<Item = &'a mut Vertex>) {
@@ -128,23 +143,20 @@ impl Row {
     /// The row shifted by half the thickness to one side.
     ///
     /// At the spine the leaves of a stack stand side by side along the binding edge, so there the shift
-    /// is level; over a way as long as the stack is thick it turns to the normal.
+    /// is level; over twice the thickness it becomes the normal one.
     fn offset(&self, net: &[Vertex], side: f32, pen: &Pen, line: &mut Polyline) {
         line.clear();
         let row = self.of(net);
-        let onward = row.clone().skip(2).chain(row.clone().last());
-        let inward = row.clone().take(1).chain(row.clone());
-        let mut s = 0.0;
-        for ((here, (next, last)), step) in
-            row.zip(onward.zip(inward)).zip(columns::steps(pen.columns - 1))
-        {
-            s += step;
+        let Some(first) = net.get(self.row) else { return };
+        let level = (V3([-1.0, 0.0, 0.0]) - V3(first.normal)) * (side * pen.half);
+        let next = row.clone().skip(1).chain(row.clone().last());
+        let last = row.clone().take(1).chain(row.clone());
+        let shares = columns::shares(pen.columns - 1);
+        for ((here, share), (next, last)) in row.zip(shares).zip(next.zip(last)) {
             let n = V3(here.normal);
-            let turned = (s / pen.half).smaller(1.0);
-            let level = V3([-1.0, 0.0, 0.0]);
-            let out = unit(level * (1.0 - turned) + n * turned, n);
-            let p = V3(here.position) + out * (side * pen.half);
-            line.push(Knot { p, n: n * side }, V3(next.position) - V3(last.position));
+            let near = (1.0 - (share * WIDTH) as f32 / (4.0 * pen.half)).larger(0.0);
+            let p = V3(here.position) + n * (side * pen.half) + level * (near * near);
+            line.push(Knot { p, n: n * side }, V3(next.position) - V3(last.position), LEAST);
         }
     }
 }
@@ -153,7 +165,7 @@ impl Pen {
     /// Walks the offset row and writes its vertices.
     fn draw(&self, at: &Row, net: &mut [Vertex], side: f32, line: &Polyline) {
         let v = 1.0 - at.row as f32 / (self.rows - 1) as f32;
-        for ((share, knot), slot) in line.pace(self.columns - 1).zip(at.of_mut(net)) {
+        for ((share, knot), slot) in line.fitted(WIDTH as f32 / self.columns as f32).zip(at.of_mut(net)) {
             let u = if side > 0.0 { share } else { 1.0 - share };
             *slot = Vertex { position: (knot.p * self.metres).0, normal: knot.n.0, uv: [u, v] };
         }

@@ -39,8 +39,9 @@ pub fn value<T: Num>(e: V3<T>, rest_sq: T, w: T) -> T {
 ///
 /// # Hard case
 ///
-/// The exact Hessian has `4 w t I`: indefinite across a compressed edge. `max(t, 0)` is the exact
-/// projection onto the positive semidefinite matrices. Pass `exact` to keep the sign (an oracle's need).
+/// The exact Hessian has `4 w t I`: indefinite across a compressed edge. `max(t, 0)` drops that part there:
+/// semidefinite, exact on a stretched edge, an upper bound on a compressed one. Pass `exact` to keep the
+/// sign (an oracle's need).
 #[inline(always)]
 pub fn edge<T: Num>(e: V3<T>, rest_sq: T, w: T, exact: bool) -> Edge<T> {
     let t = e.norm_sq() - rest_sq;

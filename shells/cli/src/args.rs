@@ -193,8 +193,11 @@ pub(crate) struct BenchArgs {
 
 /// Writes the gestures of `fixtures/gestures` anew.
 #[derive(Debug, Args)]
-#[command(hide = true, after_help = "Examples:
-  dogleaf gestures fixtures/gestures")]
+#[command(
+    hide = true,
+    after_help = "Examples:
+  dogleaf gestures fixtures/gestures"
+)]
 pub(crate) struct GesturesArgs {
     /// Where to.
     pub(crate) folder: PathBuf,

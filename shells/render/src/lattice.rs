@@ -19,6 +19,9 @@ const BEND: f32 = 0.05;
 /// Corners that differ by more are not averaged.
 const SPREAD: f32 = 0.25;
 
+/// Neighbours whose lamp differs by more have a sharp shadow between them.
+const SHARP: f32 = 0.15;
+
 /// One lattice point: its surface, and its light.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Probe {
@@ -135,6 +138,37 @@ impl Lattice {
     /// Pixel of the point in `column` and `row` of a picture of this size.
     pub(crate) fn pixel(&self, column: usize, row: usize, size: (usize, usize)) -> (usize, usize) {
         ((column * self.stride).min(size.0 - 1), (row * self.stride).min(size.1 - 1))
+    }
+
+    /// Evens out what the points see, along each surface: the sky has few directions and the lamp few
+    /// points, and each draws a faint step where it goes out of sight.
+    pub(crate) fn smooth(&mut self) {
+        let rows = self.probes.len() / self.columns.max(1);
+        for step in [1, self.columns, 1, self.columns] {
+            let inside = |at: usize| match step {
+                1 => at % self.columns > 0 && at % self.columns + 1 < self.columns,
+                _ => at >= step && at / step + 1 < rows,
+            };
+            let evened = |at| if inside(at) { self.evened(at, step) } else { self.probes[at].seen };
+            let seen: Vec<Seen> = (0..self.probes.len()).map(evened).collect();
+            self.probes.iter_mut().zip(seen).for_each(|(p, seen)| p.seen = seen);
+        }
+    }
+
+    /// Mean of a point, twice, and its neighbours on the same surface. Where one of the two is missing
+    /// the other is left out, too: a mean of one side only would creep. Sharp shadows stay sharp.
+    fn evened(&self, at: usize, step: usize) -> Seen {
+        let me = &self.probes[at];
+        let pair = [&self.probes[at - step], &self.probes[at + step]];
+        if !pair.iter().all(|p| p.joins(me.patch, me.near, me.normal)) {
+            return me.seen;
+        }
+        let mean = |pick: fn(&Seen) -> f32| 0.5 * pick(&me.seen) + 0.25 * (pick(&pair[0].seen) + pick(&pair[1].seen));
+        let sharp = pair.iter().any(|p| (p.seen.lamp - me.seen.lamp).abs() > SHARP);
+        Seen {
+            sky: SkyShare { front: mean(|s| s.sky.front), back: mean(|s| s.sky.back) },
+            lamp: if sharp { me.seen.lamp } else { mean(|s| s.lamp) },
+        }
     }
 
     /// Decides which cells can be trusted, once all points are known.

@@ -20,6 +20,7 @@
 //! which print on a bent page turns to grey or to glitter. All of that lies inside its one loop,
 //! which would have to be replaced whole.
 
+pub mod anim;
 mod camera;
 mod environment;
 mod error;

@@ -31,8 +31,8 @@ pub(crate) struct Frame<'a, const N: usize> {
 pub(crate) struct Near<'a> {
     /// The lattice of the frame.
     pub(crate) lattice: &'a Lattice,
-    /// The last place among this pixel and its nearest neighbours that had to ask for itself.
-    pub(crate) asked: Option<Probe>,
+    /// The last places among this pixel and its nearest neighbours that had to ask for themselves.
+    pub(crate) asked: [Probe; 3],
 }
 
 /// Samples of one pixel that see the same smooth surface.
@@ -113,16 +113,13 @@ impl<const N: usize> Frame<'_, N> {
 
     /// As [`Self::seen`], with the room's share of a neighbour on the same surface if there is one.
     fn seen_near(&self, hit: &Hit, paint: &Paint, patch: u32, near: &mut Near<'_>) -> Seen {
-        match near.asked {
-            Some(asked) if asked.fits(patch, hit) => {
-                Seen { sky: asked.seen.sky, lamp: self.lamp_share(hit, paint) }
-            }
-            _ => {
-                let seen = self.seen(hit, paint);
-                near.asked = Some(Probe { patch, near: hit.near, normal: hit.normal, seen, light: Light::NONE });
-                seen
-            }
+        if let Some(asked) = near.asked.iter().find(|a| a.fits(patch, hit)) {
+            return Seen { sky: asked.seen.sky, lamp: self.lamp_share(hit, paint) };
         }
+        let seen = self.seen(hit, paint);
+        near.asked.rotate_right(1);
+        near.asked[0] = Probe { patch, near: hit.near, normal: hit.normal, seen, light: Light::NONE };
+        seen
     }
 
     fn seen(&self, hit: &Hit, paint: &Paint) -> Seen {
@@ -138,18 +135,28 @@ impl<const N: usize> Frame<'_, N> {
     /// What is seen at pixel (`x`, `y`), whose first sample sees triangle `number`; a coarser
     /// lattice is asked first.
     pub(crate) fn probe(&self, number: u32, x: usize, y: usize, coarse: Option<&Lattice>) -> Probe {
-        if number == NONE {
-            return Probe::NONE;
-        }
-        let triangle = self.triangle(number);
-        let hit = Hit::new(self.geometry, triangle, Vec2::new(x as f32, y as f32) + self.grid.place(0), &self.eye);
-        let paint = &self.paints[triangle.patch as usize];
+        let Some((triangle, hit, paint)) = self.first(number, x, y) else { return Probe::NONE };
         let seen = match coarse.and_then(|c| c.at(x, y, triangle.patch, &hit)) {
             Some(mean) if mean.is_whole() => Seen { sky: mean.sky(), lamp: mean.lamp() },
             Some(mean) => Seen { sky: mean.sky(), lamp: self.lamp_share(&hit, paint) },
             None => self.seen(&hit, paint),
         };
-        let light = self.light(&hit, paint, seen);
-        Probe { patch: triangle.patch, near: hit.near, normal: hit.normal, seen, light }
+        Probe { patch: triangle.patch, near: hit.near, normal: hit.normal, seen, light: Light::NONE }
+    }
+
+    /// The light at such a pixel.
+    pub(crate) fn probe_light(&self, number: u32, x: usize, y: usize, seen: Seen) -> Light {
+        self.first(number, x, y).map_or(Light::NONE, |(_, hit, paint)| self.light(&hit, paint, seen))
+    }
+
+    /// Place of the first sample of a pixel.
+    fn first(&self, number: u32, x: usize, y: usize) -> Option<(&Triangle, Hit, &Paint)> {
+        if number == NONE {
+            return None;
+        }
+        let triangle = self.triangle(number);
+        let place = Vec2::new(x as f32, y as f32) + self.grid.place(0);
+        let hit = Hit::new(self.geometry, triangle, place, &self.eye);
+        Some((triangle, hit, &self.paints[triangle.patch as usize]))
     }
 }

@@ -12,7 +12,7 @@ use glam::Vec3;
 use crate::camera::Camera;
 use crate::error::RenderError;
 use crate::hit::Eye;
-use crate::lattice::Lattice;
+use crate::lattice::{Lattice, Probe};
 use crate::light::Lights;
 use crate::material::Paint;
 use crate::parallel::{default_threads, for_each_part};
@@ -167,8 +167,14 @@ impl Renderer {
         let canvas = Canvas { frame: &frame, size: self.size, threads: self.threads };
         canvas.cover(&mut self.numbers);
         let [coarse, fine] = &mut self.lattices;
-        canvas.light_up(coarse, None, &self.numbers);
-        canvas.light_up(fine, Some(coarse), &self.numbers);
+        canvas.probe(coarse, &self.numbers, |_, number, x, y| frame.probe(number, x, y, None));
+        coarse.judge();
+        canvas.probe(fine, &self.numbers, |_, number, x, y| frame.probe(number, x, y, Some(coarse)));
+        fine.smooth();
+        canvas.probe(fine, &self.numbers, |probe, number, x, y| {
+            Probe { light: frame.probe_light(number, x, y, probe.seen), ..*probe }
+        });
+        fine.judge();
         canvas.colour(fine, &self.numbers, &self.tone, &mut self.picture);
     }
 }
@@ -190,8 +196,9 @@ impl<const N: usize> Canvas<'_, N> {
         });
     }
 
-    /// Asks for the light at all points of a lattice, by way of a coarser one if there is one.
-    fn light_up(&self, lattice: &mut Lattice, coarse: Option<&Lattice>, numbers: &[u32]) {
+    /// Sets every point of a lattice to what `ask` makes of the point, and of the triangle and the
+    /// pixel it lies on.
+    fn probe(&self, lattice: &mut Lattice, numbers: &[u32], ask: impl Fn(&Probe, u32, usize, usize) -> Probe + Sync) {
         lattice.resize(self.size.0, self.size.1);
         let columns = lattice.columns;
         let mut probes = std::mem::take(&mut lattice.probes);
@@ -201,11 +208,11 @@ impl<const N: usize> Canvas<'_, N> {
             for (column, row) in (0..columns).flat_map(|c| (0..rows).map(move |r| (c, r))) {
                 let (x, y) = lattice.pixel(column, band * BAND + row, self.size);
                 let number = numbers[(y * self.size.0 + x) * N];
-                probes[row * columns + column] = self.frame.probe(number, x, y, coarse);
+                let probe = &mut probes[row * columns + column];
+                *probe = ask(probe, number, x, y);
             }
         });
         lattice.probes = probes;
-        lattice.judge();
     }
 
     /// Colours all pixels, two by two.
@@ -213,7 +220,7 @@ impl<const N: usize> Canvas<'_, N> {
         let width = self.size.0;
         for_each_part(self.threads, picture, width * 3 * 2, |pair, rows| {
             for x in (0..width).step_by(2) {
-                let mut near = Near { lattice, asked: None };
+                let mut near = Near { lattice, asked: [Probe::NONE; 3] };
                 for (row, out) in rows.chunks_exact_mut(width * 3).enumerate() {
                     let y = pair * 2 + row;
                     for x in x..(x + 2).min(width) {

@@ -121,9 +121,8 @@ impl<R: Real, G: Grid> Work<R, G> {
         });
         self.leaf.clone_from(&pose.leaf);
         let [left, right] = &pose.profiles;
-        let collisions = timed(|| {
-            leaf::resolve(&mut self.leaf, [left, right], pose.half, 3, &mut self.scratch)
-        });
+        let collisions =
+            timed(|| leaf::resolve(&mut self.leaf, [left, right], pose.half, 3, &mut self.scratch));
         [midline, assemble, factor, solve, merit, collisions]
     }
 }

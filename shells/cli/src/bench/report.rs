@@ -81,9 +81,17 @@ impl Report {
         let m = &self.machine;
         let [nx, nz] = self.grid;
         writeln!(out, "{}, {}", m.cpu, m.date)?;
-        writeln!(out, "{}, {}, opt-level {}, built for {}", m.rustc, m.target, m.opt_level, m.level)?;
+        writeln!(
+            out,
+            "{}, {}, opt-level {}, built for {}",
+            m.rustc, m.target, m.opt_level, m.level
+        )?;
         writeln!(out, "rustc flags: {}", if m.flags.is_empty() { "none" } else { m.flags })?;
-        writeln!(out, "a slow turn at {nx}x{nz}, {} rounds, least of the rounds' figures", self.rounds)?;
+        writeln!(
+            out,
+            "a slow turn at {nx}x{nz}, {} rounds, least of the rounds' figures",
+            self.rounds
+        )?;
         for side in [&self.f32, &self.f64] {
             side.print(&mut out)?;
         }
@@ -93,7 +101,11 @@ impl Report {
 
 impl Side {
     fn print(&self, out: &mut impl Write) -> io::Result<()> {
-        writeln!(out, "\n{:<12} {:>9} {:>9} {:>9} {:>7}", self.real, "median µs", "p95", "p99", "share")?;
+        writeln!(
+            out,
+            "\n{:<12} {:>9} {:>9} {:>9} {:>7}",
+            self.real, "median µs", "p95", "p99", "share"
+        )?;
         row(out, "step", &self.step_us, 1.0)?;
         for part in &self.parts {
             row(out, &format!("  {}", part.name), &part.us, part.share)?;

@@ -39,8 +39,8 @@ pub(crate) fn peek_and_put_back(desk: &Desk) -> Vec<Sample> {
     })
 }
 
-/// Twenty leaves at once, in a second and a half.
+/// Five leaves at once, in a second and a half.
 pub(crate) fn stack(desk: &Desk) -> Vec<Sample> {
-    let stroke = Stroke { leaves: 20, ..stroke(1_500_000) };
+    let stroke = Stroke { leaves: 5, ..stroke(1_500_000) };
     stroke.along(desk, |t| over(EDGE.0, EDGE.1, LIFT, ease(t)))
 }

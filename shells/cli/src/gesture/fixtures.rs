@@ -5,20 +5,22 @@ use super::{builtin, lines, wild};
 use crate::error::CliError;
 use crate::scene::PICTURE;
 use dogleaf_core::hand::{Sample, View};
-use dogleaf_core::scene::{BookSpec, PaperSpec};
+use dogleaf_core::scene::{BookSpec, PaperSpec, Preset};
 use std::path::Path;
 
-/// The fixture book: its size, its pages, and where `dogleaf turn` opens it.
-const BOOK: (f64, f64, u32, u32) = (0.120, 0.180, 32, 10);
 /// Seed of the storm.
 const SEED: u64 = 20_240_229;
 
+/// The fixture book, open where `dogleaf turn` opens it.
+fn fixture_book() -> BookSpec {
+    BookSpec { width_m: 0.120, height_m: 0.180, pages: 24, open_at: 8, ..BookSpec::default() }
+}
+
 /// Every gesture with the name of its file.
-pub(crate) fn all() -> Vec<(&'static str, Vec<Sample>)> {
-    let (width_m, height_m, pages, open_at) = BOOK;
-    let book = BookSpec { width_m, height_m, pages, open_at, ..BookSpec::default() };
-    let view = View::reading(width_m, height_m, PICTURE[0], PICTURE[1]);
-    let desk = Desk::new(&view, &book, &PaperSpec::default());
+fn all() -> Vec<(&'static str, Vec<Sample>)> {
+    let desk = desk(&fixture_book(), Preset::Book.into());
+    let seed = PaperSpec { thickness_mm: 0.081_25, ..PaperSpec::default() };
+    let seed_desk = self::desk(&BookSpec::default(), seed);
     vec![
         ("slow_turn", builtin::slow_turn(&desk)),
         ("flick", builtin::flick(&desk)),
@@ -26,7 +28,13 @@ pub(crate) fn all() -> Vec<(&'static str, Vec<Sample>)> {
         ("corner_turn", builtin::corner_turn(&desk)),
         ("stack", builtin::stack(&desk)),
         ("adversarial", wild::storm(SEED, PICTURE)),
+        ("seed_turn", builtin::corner_turn(&seed_desk)),
     ]
+}
+
+fn desk(book: &BookSpec, paper: PaperSpec) -> Desk {
+    let view = View::reading(book.width_m, book.height_m, PICTURE[0], PICTURE[1]);
+    Desk::new(&view, book, &paper)
 }
 
 /// Writes them all into a folder.

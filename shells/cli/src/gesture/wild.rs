@@ -2,7 +2,7 @@
 
 use dogleaf_core::hand::{Phase, Sample};
 
-/// Samples of the storm, over six seconds.
+/// Samples of the storm, over some twelve seconds.
 const SAMPLES: u64 = 900;
 const EVERY_US: u64 = 6_667;
 
@@ -12,7 +12,8 @@ struct Pcg(u64);
 impl Pcg {
     fn next(&mut self) -> u32 {
         let old = self.0;
-        self.0 = old.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 =
+            old.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         let mixed = (((old >> 18) ^ old) >> 27) as u32;
         mixed.rotate_right((old >> 59) as u32)
     }
@@ -44,6 +45,9 @@ pub(super) fn storm(seed: u64, [width, height]: [u32; 2]) -> Vec<Sample> {
         let leaves = if phase == Phase::Down { leaves } else { 0 };
         samples.push(Sample { t_us, id: u8::from(pcg.below(5) == 0), phase, x, y, leaves });
     }
+    // In the end nobody holds anything, so that it must come to rest.
+    let end = |id| Sample { t_us, id, phase: Phase::Up, x: 0, y: 0, leaves: 0 };
+    samples.extend([end(0), end(1)]);
     samples
 }
 

@@ -81,8 +81,7 @@ impl Look {
             })
             .collect();
         if set.cover.is_some() {
-            let material =
-                Material::Table { colour: Vec3::new(0.105, 0.066, 0.042), grain: 1.0 };
+            let material = Material::Table { colour: Vec3::new(0.105, 0.066, 0.042), grain: 1.0 };
             patches.push(Patch { vertices: table, indices: &TABLE_TRIANGLES, material });
         }
         Ok(self.renderer.render(&self.camera, &self.lights, &patches)?)

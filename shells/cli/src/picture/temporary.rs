@@ -14,5 +14,7 @@ impl Writer {
         data.extend_from_slice(rgb);
         std::fs::write(&path, data).map_err(|e| CliError::write(&path, &e))
     }
-    pub(crate) fn finish(self) -> Result<(), CliError> { Ok(()) }
+    pub(crate) fn finish(self) -> Result<(), CliError> {
+        Ok(())
+    }
 }

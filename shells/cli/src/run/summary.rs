@@ -35,7 +35,12 @@ impl Summary {
         self.hash.clone_from(&frame.pose.hash);
     }
 
-    pub(super) fn print(&self, args: &RunArgs, scene: &Scene, bytes: usize) -> Result<(), CliError> {
+    pub(super) fn print(
+        &self,
+        args: &RunArgs,
+        scene: &Scene,
+        bytes: usize,
+    ) -> Result<(), CliError> {
         let mut out = std::io::stdout().lock();
         self.lines(&mut out, args, scene, bytes)
             .map_err(|e| CliError::write("standard output".as_ref(), &e))
@@ -53,8 +58,11 @@ impl Summary {
         writeln!(out, "scene      {body}, {grid} nodes, {real}, {fidelity}, {bytes} bytes")?;
         writeln!(out, "frames     {} ({:.3} s)", self.frames, self.time_s)?;
         let t = &self.total;
-        writeln!(out, "work       {} steps, {} Newton steps, {} cuts, {} passes, {} pushed",
-            t.steps, t.newton_steps, t.cuts, t.passes, t.pushed)?;
+        writeln!(
+            out,
+            "work       {} steps, {} Newton steps, {} cuts, {} passes, {} pushed",
+            t.steps, t.newton_steps, t.cuts, t.passes, t.pushed
+        )?;
         writeln!(out, "status     {} at worst", t.status.name())?;
         writeln!(out, "stretch    {:.3} % at most", 100.0 * self.stretch_max)?;
         if let Some([x, y]) = self.free_edge {

@@ -81,8 +81,9 @@ impl Scene {
         if text.len() > LARGEST {
             return Err(source.fault(None, Fault::TooLarge(LARGEST)).into());
         }
-        let table = DeTable::parse(text)
-            .map_err(|e| source.fault(e.span(), Fault::Syntax(crate::error::one_line(e.message()))))?;
+        let table = DeTable::parse(text).map_err(|e| {
+            source.fault(e.span(), Fault::Syntax(crate::error::one_line(e.message())))
+        })?;
         let root = Section::root(source, table.get_ref(), &TABLES)?;
         if let Some(effect) = EFFECTS.into_iter().find(|e| root.has(e)) {
             return Err(root.fault(effect, Fault::NotBuilt(effect)).into());

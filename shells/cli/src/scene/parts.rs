@@ -87,8 +87,7 @@ pub(super) fn body(root: &Section<'_>) -> Result<(Body, GridName), SceneError> {
 }
 
 fn book(root: &Section<'_>) -> Result<(Body, GridName), SceneError> {
-    let known =
-        ["width_m", "height_m", "pages", "open_at", "cover", "direction", "grid"];
+    let known = ["width_m", "height_m", "pages", "open_at", "cover", "direction", "grid"];
     let s = root.section("book", &known)?;
     let d = BookSpec::default();
     let pages = s.whole("pages", d.pages)?;

@@ -126,8 +126,7 @@ impl<'a> Section<'a> {
         default: [f64; N],
     ) -> Result<[f64; N], SceneError> {
         self.read(key, default, &format!("{N} numbers in brackets"), |v| {
-            let all: Option<Vec<f64>> =
-                v.as_array()?.iter().map(|n| number(n.get_ref())).collect();
+            let all: Option<Vec<f64>> = v.as_array()?.iter().map(|n| number(n.get_ref())).collect();
             all?.try_into().ok()
         })
     }

@@ -12,11 +12,11 @@ use crate::environment::{Environment, spiral};
 use crate::parallel::for_each_part;
 
 /// Directions asked.
-const DIRECTIONS: usize = 36;
+const DIRECTIONS: usize = 48;
 /// Lowest direction, as height on the unit sphere: the table hides what is lower.
 const LOWEST: f32 = 0.10;
 /// Side of one map, texels.
-const SIDE: usize = 192;
+const SIDE: usize = 144;
 
 /// How far a place is lifted off its own surface, texels.
 const LIFT: f32 = 0.35;
