@@ -25,20 +25,28 @@ impl<R: Real> Ground<R> {
     }
 }
 
-/// Lifts nodes that sank below the ground and remembers them. Answers how many.
+/// Lifts nodes that sank below the ground, keeps them on their side of the binding, and remembers them.
+/// Answers how many.
+///
+/// # Hard case
+///
+/// A block stiffer than its weight stands up in the binding; without the wall it could fall to the other side.
 pub fn resolve<R: Real, const N: usize>(strip: &mut Strip<R, N>, ground: &Ground<R>) -> u32 {
     let mut pushed = 0;
+    let inner = strip.x.first().copied().unwrap_or_default();
+    let wall = Ground { from: inner, normal: V2([R::of(1.0), R::ZERO]) };
     let touched = strip.pushed.iter_mut().zip(strip.offset.iter_mut().zip(&mut strip.holding));
     for (x, (dir, (offset, holding))) in strip.x.iter_mut().zip(touched).skip(1) {
-        let depth = -ground.normal.dot(*x - ground.from);
-        let under = depth > R::ZERO;
-        if under {
-            *x = *x + ground.normal * depth;
+        let depth = |g: &Ground<R>| -g.normal.dot(*x - g.from);
+        let deepest = if depth(&wall) > depth(ground) { wall } else { *ground };
+        let under = depth(&deepest);
+        if under > R::ZERO {
+            *x = *x + deepest.normal * under;
             pushed += 1;
         }
-        *dir = ground.normal;
-        *offset = ground.normal.dot(*x);
-        *holding = if under { R::of(1.0) } else { R::ZERO };
+        *dir = deepest.normal;
+        *offset = deepest.normal.dot(*x);
+        *holding = if under > R::ZERO { R::of(1.0) } else { R::ZERO };
     }
     pushed
 }

@@ -23,7 +23,7 @@ const TILT: (f64, f64) = (0.848_048_096_156_426, 0.529_919_264_233_205);
 /// Furthest an eye or a target may be from the book, metres.
 const FURTHEST_M: f64 = 1e4;
 /// Share of the picture the open book fills.
-const FILL: f64 = 0.80;
+const FILL: f64 = 0.93;
 
 impl View {
     /// A reader at a table: the whole spread in the picture with room for a leaf in the air.
@@ -36,7 +36,7 @@ impl View {
         let across = width_m / (half * aspect * FILL) + near;
         let along = 0.5 * (height_m * cos + 0.9 * width_m * sin) / (half * FILL) + near;
         let distance = if across > along { across } else { along };
-        let target = [0.0, 0.18 * width_m, 0.0];
+        let target = [0.0, 0.27 * width_m, 0.0];
         let eye_m = [0.0, target[1] + distance * cos, target[2] + distance * sin];
         Self { eye_m, target_m: target, fov_y_deg, width_px, height_px }
     }
