@@ -20,6 +20,9 @@ pub fn deepest<R: Real, G: Grid>(book: &Book<R, G>) -> f64 {
             let p = [sign * x, y];
             if p[0] >= line[0][0] {
                 worst = worst.max(clear - above(&line, p));
+            } else if p[0] > -line[0][0] {
+                // Between the blocks the spine is the floor.
+                worst = worst.max(-y);
             }
         }
     }

@@ -3,9 +3,10 @@
 //! A leaf of 11 x 8 nodes bends over the spine in 83 poses; the two blocks and the cover lie still. The
 //! terms are those of a step with one Newton iteration: masses over the squared step, bending between
 //! second neighbours, stretched edges, glue; rows for equal angles, lengths, the binding, the fixed spine.
-//! It lets the comparison be run and checked by itself; the poses are drawn, not simulated.
+//! The tests of the solvers run on it: the poses are drawn, so that no change of the core moves them.
 
-use crate::matrices::{Matrices, Triplets};
+use crate::matrices::Matrices;
+use crate::triplets::Triplets;
 
 const NX: usize = 11;
 const NZ: usize = 8;

@@ -64,6 +64,10 @@ pub struct Book<R: Real, G: Grid> {
     now_us: u64,
     owed_us: u64,
     still_us: u64,
+    /// Time since anything was last held, microseconds.
+    idle_us: u64,
+    /// The last step had to be taken back: the next is taken without the hand's pull.
+    eased: bool,
     /// Nudges since the leaf was last seen off its edge.
     nudges: u32,
     /// Extra weight, in weights of the leaf, that lays a landed leaf flat.
@@ -111,11 +115,6 @@ impl<R: Real, G: Grid> Book<R, G> {
     pub fn sheet(&self) -> &Sheet<R, G> {
         &self.sheet
     }
-    /// Tuning.
-    pub fn sheet_mut(&mut self) -> &mut Sheet<R, G> {
-        self.solver.forget();
-        &mut self.sheet
-    }
     /// Left and right page block. Model units, outward coordinates.
     pub fn blocks(&self) -> &[Strip<R, BLOCK>; 2] {
         &self.blocks
@@ -153,10 +152,12 @@ impl<R: Real, G: Grid> Book<R, G> {
         let mut hash = Fnv::default();
         let flags = u64::from(self.active)
             | u64::from(self.asleep) << 1
-            | u64::from(self.binding.from_right) << 2 | u64::from(self.landed) << 3;
+            | u64::from(self.binding.from_right) << 2
+            | u64::from(self.landed) << 3;
         hash.word(flags | u64::from(self.nudges) << 8);
         hash.word(u64::from(self.binding.leaves[0]) | u64::from(self.binding.held) << 32);
         hash.word(self.still_us);
+        hash.word(self.idle_us << 1 | u64::from(self.eased));
         hash.real(self.press);
         if let Some(guide) = &self.guide {
             guide.digest(&mut hash);
@@ -191,6 +192,8 @@ impl<R: Real, G: Grid> Book<R, G> {
     fn wake(&mut self) {
         self.asleep = false;
         self.still_us = 0;
+        self.idle_us = 0;
+        self.eased = false;
         self.nudges = 0;
         self.press = R::ZERO;
         self.landed = false;

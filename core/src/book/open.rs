@@ -23,6 +23,8 @@ const SETTLED: f64 = 1e-3;
 const SQUEEZE: f64 = 12.0;
 /// Most extra weight that lays a landed leaf flat, in its own weights.
 const PRESS: f64 = 24.0;
+/// Furthest a sample may be ahead, microseconds.
+const AHEAD_US: u64 = 60_000_000;
 /// How far a board stands out beyond the leaves, model units.
 const SQUARE: f64 = 0.3;
 /// Mass of a board, in leaves.
@@ -40,6 +42,8 @@ pub enum InputError {
     Full,
     /// The sample is older than one already taken.
     OutOfOrder,
+    /// The sample is more than a minute ahead of the book's time: a clock is wrong.
+    TooEarly,
 }
 
 impl fmt::Display for InputError {
@@ -47,6 +51,7 @@ impl fmt::Display for InputError {
         f.write_str(match self {
             Self::Full => "too many pointer samples wait for their time",
             Self::OutOfOrder => "the pointer sample is older than one already taken",
+            Self::TooEarly => "the pointer sample is more than a minute ahead of the book's time",
         })
     }
 }
@@ -102,6 +107,8 @@ impl<R: Real, G: Grid> Book<R, G> {
         now_us: 0,
         owed_us: 0,
         still_us: 0,
+        idle_us: 0,
+        eased: false,
         nudges: 0,
         press: R::ZERO,
         most_press: R::ZERO,
@@ -166,6 +173,9 @@ impl<R: Real, G: Grid> Book<R, G> {
     pub fn input(&mut self, sample: Sample) -> Result<(), InputError> {
         if self.samples.back().is_some_and(|last| last.t_us > sample.t_us) {
             return Err(InputError::OutOfOrder);
+        }
+        if sample.t_us > self.now_us.saturating_add(AHEAD_US) {
+            return Err(InputError::TooEarly);
         }
         // A move that waits behind another of the same pointer at the same time replaces it.
         if let Some(last) = self.samples.back_mut()

@@ -14,6 +14,10 @@ const STILL: f64 = 0.15;
 const STILL_US: u64 = 120_000;
 /// A leaf floating without weight sleeps after this long, microseconds.
 const FLOATING_US: u64 = 1_000_000;
+/// A landed leaf is merged after this long, a book nobody holds sleeps after that long, whatever still
+/// trembles in it, microseconds.
+const LANDED_US: u64 = 3_000_000;
+const IDLE_US: u64 = 20_000_000;
 /// How fast the weight that lays a landed leaf flat grows, in its own weights, 1/s.
 const PRESSING: f64 = 60.0;
 /// A landed leaf faster than this, model units/s, is not pressed yet.
@@ -31,6 +35,17 @@ impl<R: Real, G: Grid> Book<R, G> {
     pub(super) fn settle(&mut self, report: &mut StepReport) {
         if self.active && self.guide.is_none() {
             self.nudge(report);
+        }
+        self.idle_us =
+            if self.guide.is_some() { 0 } else { self.idle_us + u64::from(self.step_us) };
+        if self.idle_us >= LANDED_US && self.active && self.landed {
+            report.forced_rests += 1;
+            self.merge();
+        }
+        if self.idle_us >= IDLE_US {
+            report.forced_rests += 1;
+            self.fall_asleep();
+            return;
         }
         if !self.still() {
             self.still_us = 0;

@@ -127,6 +127,7 @@ impl<R: Real, G: Grid> Book<R, G> {
         }
         if matches!(own.status, StepStatus::Held | StepStatus::Recovered) {
             self.keep_pose();
+            self.eased = true;
         } else {
             self.velocities();
         }

@@ -184,6 +184,10 @@ impl<R: Real, G: Grid> Book<R, G> {
     /// Moves the target the hand pulls towards.
     pub(super) fn hold(&mut self, report: &mut StepReport) {
         let Some(mut guide) = self.guide else { return };
+        if core::mem::take(&mut self.eased) {
+            self.grab = None;
+            return;
+        }
         let reach = self.reach(guide.node);
         let node = self.leaf.x.at(guide.node.0, guide.node.1);
         let (target, leashed, holds) = guide.advance(node, &reach, self.h);

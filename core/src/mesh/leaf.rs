@@ -10,24 +10,26 @@
 
 use super::clear::Clear;
 use super::curve::{Knot, Polyline, unit};
+use super::fold::Rows;
 use super::layout::{ALONG, Layout};
 use super::normals::{Net, direction};
 use super::{Vertex, columns, spline};
 use crate::book::Book;
 use crate::grid::Grid;
-use crate::scene::units::WIDTH;
 use crate::real::{LANES, Lanes, Num, Real, V3};
+use crate::scene::units::WIDTH;
 use crate::state::field::blocks;
 use crate::state::{Leaf, Sheet};
 
 /// A corner of an offset row this little ahead of the last one, as a share of two columns, is dropped.
 const LEAST: f32 = 0.1;
+/// Rounds of smoothing a side gets where it is folded upon itself.
+const MENDINGS: usize = 40;
 
 /// What the sides of a leaf are drawn with.
 #[derive(Debug, Clone, Copy)]
 struct Pen {
     half: f32,
-    metres: f32,
     columns: usize,
     rows: usize,
 }
@@ -39,12 +41,14 @@ pub(super) fn write<R: Real, G: Grid>(book: &Book<R, G>, leaf: &Leaf<R, G>, out:
     let Some((up, rest)) = out.split_at_mut_checked(size) else { return };
     let Some((down, rim)) = rest.split_at_mut_checked(size) else { return };
     let half = book.binding().half_held();
-    let clear = Clear::new(book.binding().profiles(book.blocks()), book.blocks(), half, columns - 1);
+    let clear =
+        Clear::new(book.binding().profiles(book.blocks()), book.blocks(), half, columns - 1);
     across(book.sheet(), leaf, &clear, up);
     along::<G>(up, down);
     let net = Net { columns, rows, side: 1.0 };
     net.normals(down);
-    let pen = Pen { half: half.narrow(), metres: book.units().metres as f32, columns, rows };
+    let metres = book.units().metres as f32;
+    let pen = Pen { half: half.narrow(), columns, rows };
     let mut line = Polyline::new();
     for row in 0..rows {
         let at = Row { row, rows };
@@ -54,11 +58,26 @@ pub(super) fn write<R: Real, G: Grid>(book: &Book<R, G>, leaf: &Leaf<R, G>, out:
         pen.draw(&at, down, -1.0, &line);
     }
     for (side, vertices) in [(1.0, &mut *up), (-1.0, &mut *down)] {
-        let net = Net { side, ..net };
-        net.normals(vertices);
-        net.folds(vertices);
+        mend(&Net { side, ..net }, vertices, &pen, &mut line);
+        vertices.iter_mut().for_each(|v| v.position = (V3(v.position) * metres).0);
     }
     pen.rim(up, down, rim);
+}
+
+/// Normals of a side; where it is folded through itself, so that there are none, it is drawn straighter,
+/// over more and more columns.
+fn mend(net: &Net, vertices: &mut [Vertex], pen: &Pen, line: &mut Polyline) {
+    net.normals(vertices);
+    for round in 0..MENDINGS {
+        let Some((first, last)) = net.folds(vertices) else { return };
+        net.smooth(vertices, first.saturating_sub(round), last + round);
+        for row in 0..net.rows {
+            let at = Row { row, rows: net.rows };
+            at.trace(vertices, line);
+            pen.draw(&at, vertices, net.side, line);
+        }
+        net.normals(vertices);
+    }
 }
 
 /// Splines from spine to fore-edge through eight rows at a time.
@@ -68,30 +87,46 @@ fn across<R: Real, G: Grid>(
     clear: &Clear<R>,
     up: &mut [Vertex],
 ) {
-    const { assert!(G::NX <= spline::MOST && G::NZ <= spline::MOST) };
-    let rows = Layout::<G>::ROWS;
-    let mut slopes = [V3::zero(); spline::MOST];
+    const {
+        assert!(
+            G::NX <= spline::MOST && G::NZ <= spline::MOST,
+            "a spline row holds a column of every grid"
+        )
+    };
+    let height = Layout::<G>::ROWS;
+    let nothing = [V3::zero(); spline::MOST];
+    let mut rows =
+        Rows::<R> { nodes: nothing, slopes: nothing, count: G::NX, there: R::Lanes::zero() };
     for k in blocks::<G>() {
-        let node = |i: usize| leaf.x.rows(i, k, 0);
-        spline::slopes(G::NX, node, &mut slopes);
-        if let Some(root) = slopes.first_mut() {
-            // Below the binding is no way out.
-            root.0[1] = root.0[1].larger(R::Lanes::zero());
-        }
-        spline::round_folds::<R>(G::NX, node, &mut slopes, &rows_there::<R, G>(k));
-        spline::even_out(&mut slopes, R::Lanes::all(sheet.spacing[0]));
-        let slope = |i: usize| slopes.get(i).copied().unwrap_or_else(V3::zero);
+        rows.there = rows_there::<R, G>(k);
+        fit(&mut rows, sheet, leaf, k);
         let shares = columns::shares(Layout::<G>::COLUMNS - 1);
-        for (j, (share, column)) in shares.zip(up.chunks_exact_mut(rows)).enumerate() {
+        for (j, (share, column)) in shares.zip(up.chunks_exact_mut(height)).enumerate() {
             let t = share * (G::NX - 1) as f64;
             let i = (t as usize).min(G::NX - 2);
-            let w = spline::weights(t - i as f64);
-            let p = spline::blend([node(i), node(i + 1)], [slope(i), slope(i + 1)], w);
+            let (p, m) = ([rows.node(i), rows.node(i + 1)], [rows.slope(i), rows.slope(i + 1)]);
+            let p = spline::blend(p, m, spline::weights(t - i as f64));
             let s = R::of(share * WIDTH);
-            let lifted = if share > 0.0 { clear.lift(p, j, s) } else { p };
+            let lifted = if j > 0 { clear.lift(p, j, s) } else { p };
             store::<R>(lifted, column.iter_mut().step_by(ALONG).skip(k));
         }
     }
+}
+
+/// Nodes and slopes of eight rows from row `k` on.
+fn fit<R: Real, G: Grid>(rows: &mut Rows<R>, sheet: &Sheet<R, G>, leaf: &Leaf<R, G>, k: usize) {
+    for (i, node) in rows.nodes.iter_mut().enumerate().take(G::NX) {
+        *node = leaf.x.rows(i, k, 0);
+    }
+    let [edge, _] = sheet.spacing;
+    rows.open(edge);
+    spline::slopes(G::NX, &rows.nodes, &mut rows.slopes);
+    if let Some(root) = rows.slopes.first_mut() {
+        // Below the binding is no way out.
+        root.0[1] = root.0[1].larger(R::Lanes::zero());
+    }
+    rows.turn();
+    spline::even_out(&mut rows.slopes, R::Lanes::all(edge));
 }
 
 /// One for every lane that is a row, else zero.
@@ -113,9 +148,13 @@ fn store<'a, R: Real>(p: V3<R::Lanes>, slots: impl Iterator<Item = &'a mut Verte
 fn along<G: Grid>(up: &mut [Vertex], down: &mut [Vertex]) {
     let rows = Layout::<G>::ROWS;
     let mut slopes = [V3::zero(); spline::MOST];
+    let mut nodes = slopes;
     for (column, copy) in up.chunks_exact_mut(rows).zip(down.chunks_exact_mut(rows)) {
-        let node = |k: usize| column.get(ALONG * k).map_or(V3::zero(), |v| V3(v.position));
-        spline::slopes(G::NZ, node, &mut slopes);
+        for (slot, v) in nodes.iter_mut().zip(column.iter().step_by(ALONG)) {
+            *slot = V3(v.position);
+        }
+        let node = |k: usize| nodes.get(k).copied().unwrap_or_else(V3::zero);
+        spline::slopes(G::NZ, &nodes, &mut slopes);
         for (r, slot) in copy.iter_mut().enumerate() {
             let k = (r / ALONG).min(G::NZ - 2);
             let w = spline::weights((r - ALONG * k) as f64 / ALONG as f64);
@@ -146,18 +185,31 @@ impl Row {
     /// is level; over twice the thickness it becomes the normal one.
     fn offset(&self, net: &[Vertex], side: f32, pen: &Pen, line: &mut Polyline) {
         line.clear();
-        let row = self.of(net);
         let Some(first) = net.get(self.row) else { return };
         let level = (V3([-1.0, 0.0, 0.0]) - V3(first.normal)) * (side * pen.half);
-        let next = row.clone().skip(1).chain(row.clone().last());
-        let last = row.clone().take(1).chain(row.clone());
-        let shares = columns::shares(pen.columns - 1);
-        for ((here, share), (next, last)) in row.zip(shares).zip(next.zip(last)) {
+        for ((here, forward), share) in self.going(net).zip(columns::shares(pen.columns - 1)) {
             let n = V3(here.normal);
             let near = (1.0 - (share * WIDTH) as f32 / (4.0 * pen.half)).larger(0.0);
             let p = V3(here.position) + n * (side * pen.half) + level * (near * near);
-            line.push(Knot { p, n: n * side }, V3(next.position) - V3(last.position), LEAST);
+            line.push(Knot { p, n: n * side }, forward, LEAST);
         }
+    }
+
+    /// The row as it is.
+    fn trace(&self, net: &[Vertex], line: &mut Polyline) {
+        line.clear();
+        for (here, forward) in self.going(net) {
+            line.push(Knot { p: V3(here.position), n: V3(here.normal) }, forward, LEAST);
+        }
+    }
+
+    /// Vertices with the way from the one before to the one after.
+    fn going<'a>(&self, net: &'a [Vertex]) -> impl Iterator<Item = (&'a Vertex, V3<f32>)> {
+        let row = self.of(net);
+        let next = row.clone().skip(1).chain(row.clone().last());
+        let last = row.clone().take(1).chain(row.clone());
+        let ways = next.zip(last).map(|(a, b)| V3(a.position) - V3(b.position));
+        row.zip(ways)
     }
 }
 
@@ -165,9 +217,11 @@ impl Pen {
     /// Walks the offset row and writes its vertices.
     fn draw(&self, at: &Row, net: &mut [Vertex], side: f32, line: &Polyline) {
         let v = 1.0 - at.row as f32 / (self.rows - 1) as f32;
-        for ((share, knot), slot) in line.fitted(WIDTH as f32 / self.columns as f32).zip(at.of_mut(net)) {
+        for ((share, knot), slot) in
+            line.fitted(WIDTH as f32 / self.columns as f32).zip(at.of_mut(net))
+        {
             let u = if side > 0.0 { share } else { 1.0 - share };
-            *slot = Vertex { position: (knot.p * self.metres).0, normal: knot.n.0, uv: [u, v] };
+            *slot = Vertex { position: knot.p.0, normal: knot.n.0, uv: [u, v] };
         }
     }
 

@@ -25,6 +25,7 @@ mod board;
 mod clear;
 mod columns;
 mod curve;
+mod fold;
 mod indices;
 mod layout;
 mod leaf;

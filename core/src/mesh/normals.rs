@@ -9,6 +9,8 @@ use crate::real::V3;
 
 /// Neighbours whose normals meet at less than this cosine are at a fold.
 const FOLD: f32 = 0.4;
+/// The columns at the spine are so narrow that a triangle may stand out of them unseen.
+const NARROW: usize = 3;
 /// Corrections a normal at a fold gets at most.
 const ROUNDS: usize = 24;
 /// Least cosine between it and a triangle around it that is aimed at.
@@ -60,25 +62,51 @@ impl Net {
         }
     }
 
-    /// Corrects normals at folds.
-    pub(super) fn folds(&self, net: &mut [Vertex]) {
+    /// Corrects normals at folds. Answers the first and the last column where no normal agrees with all
+    /// triangles around.
+    pub(super) fn folds(&self, net: &mut [Vertex]) -> Option<(usize, usize)> {
+        let mut failed = None;
         for j in 0..self.columns {
             for r in 0..self.rows {
-                if self.folded(net, j, r) {
-                    let n = self.agreed(net, j, r);
-                    if let Some(v) = net.get_mut(j * self.rows + r) {
-                        v.normal = n.0;
-                    }
+                if !self.folded(net, j, r) {
+                    continue;
+                }
+                match self.agreed(net, j, r) {
+                    Some(n) => self.set(net, j, r, |v| v.normal = n.0),
+                    None => failed = Some((failed.map_or(j, |(first, _)| first), j)),
                 }
             }
+        }
+        failed
+    }
+
+    /// Draws the rows straighter between two columns: each vertex goes half-way to the middle of its
+    /// neighbours, once outwards and once back.
+    pub(super) fn smooth(&self, net: &mut [Vertex], first: usize, last: usize) {
+        let band = first.max(1)..(last + 1).min(self.columns - 1);
+        for j in band.clone().chain(band.rev()) {
+            for r in 0..self.rows {
+                let p =
+                    |j: usize| net.get(j * self.rows + r).map_or(V3([0.0; 3]), |v| V3(v.position));
+                let place = p(j) * 0.5 + (p(j - 1) + p(j + 1)) * 0.25;
+                self.set(net, j, r, |v| v.position = place.0);
+            }
+        }
+    }
+
+    fn set(&self, net: &mut [Vertex], j: usize, r: usize, change: impl FnOnce(&mut Vertex)) {
+        if let Some(v) = net.get_mut(j * self.rows + r) {
+            change(v);
         }
     }
 
     fn folded(&self, net: &[Vertex], j: usize, r: usize) -> bool {
         let Some(here) = net.get(j * self.rows + r) else { return false };
+        if j < NARROW {
+            return true;
+        }
         RING.iter().any(|&by| {
-            self.neighbour(net, j, r, by)
-                .is_some_and(|v| V3(v.normal).dot(V3(here.normal)) < FOLD)
+            self.neighbour(net, j, r, by).is_some_and(|v| V3(v.normal).dot(V3(here.normal)) < FOLD)
         })
     }
 
@@ -94,9 +122,9 @@ impl Net {
         net.get(j * self.rows + r)
     }
 
-    /// A normal that agrees with every triangle around: starts at their mean and leans towards those
+    /// A normal that agrees with every triangle around, if there is one: starts at their mean and leans towards those
     /// that do not agree yet.
-    fn agreed(&self, net: &[Vertex], j: usize, r: usize) -> V3<f32> {
+    fn agreed(&self, net: &[Vertex], j: usize, r: usize) -> Option<V3<f32>> {
         let here = net.get(j * self.rows + r).copied().unwrap_or_default();
         let spoke = |n: usize| {
             let by = RING.get(n % RING.len()).copied().unwrap_or_default();
@@ -120,6 +148,7 @@ impl Net {
                 break;
             }
         }
-        unit(sum, V3(here.normal))
+        let agree = around.iter().all(|n| n.norm_sq() == 0.0 || n.dot(sum) > 0.0);
+        agree.then(|| unit(sum, V3(here.normal)))
     }
 }

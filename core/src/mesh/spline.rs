@@ -6,7 +6,7 @@
 //! m_{i-1} + 4 m_i + m_{i+1} = 3 (p_{i+1} - p_{i-1})      2 m_0 + m_1 = 3 (p_1 - p_0), likewise at the end
 //! ```
 
-use crate::real::{Lanes, Num, Real, V3};
+use crate::real::{Num, V3};
 
 /// Points a spline has at most.
 pub(super) const MOST: usize = 32;
@@ -28,7 +28,8 @@ const fn sweep() -> [f64; MOST] {
 }
 
 /// Slopes at `n` points, a point apart being one; the rest of `m` is left.
-pub(super) fn slopes<T: Num>(n: usize, p: impl Fn(usize) -> V3<T>, m: &mut [V3<T>; MOST]) {
+pub(super) fn slopes<T: Num>(n: usize, p: &[V3<T>; MOST], m: &mut [V3<T>; MOST]) {
+    let p = |i: usize| p.get(i).copied().unwrap_or_else(V3::zero);
     let mut before = V3::zero();
     let last = n.saturating_sub(1);
     let mut passed = 0.5;
@@ -44,38 +45,6 @@ pub(super) fn slopes<T: Num>(n: usize, p: impl Fn(usize) -> V3<T>, m: &mut [V3<T
         let c = if i == last { 0.0 } else { c };
         *slot = *slot - after * T::of(c);
         after = *slot;
-    }
-}
-
-/// Turns the slopes at sharp folds so that all rows go round the fold the same way.
-///
-/// ```text
-/// φ > 90°:  m = b × (d₁ - d₂)     d₁, d₂ unit chords before and after,  b = d₁ × d₂ + its mean direction over the rows
-/// ```
-///
-/// For a lone fold this is the direction half-way between the chords. Where the sheet is folded flat
-/// upon itself that direction is lost in rounding, but the neighbours know it.
-pub(super) fn round_folds<R: Real>(
-    n: usize,
-    p: impl Fn(usize) -> V3<R::Lanes>,
-    m: &mut [V3<R::Lanes>; MOST],
-    there: &R::Lanes,
-) {
-    let least = R::Lanes::of(1e-6);
-    let unit = |v: V3<R::Lanes>| v * (R::Lanes::one() / v.norm().larger(least));
-    for (i, slope) in m.iter_mut().enumerate().take(n.saturating_sub(1)).skip(1) {
-        let (before, after) = (unit(p(i) - p(i - 1)), unit(p(i + 1) - p(i)));
-        let turn = before.dot(after);
-        if (-turn * *there).largest() <= R::ZERO {
-            continue;
-        }
-        let axis = before.cross(after);
-        let mean = V3(axis.0.map(|c| (c * *there).sum()));
-        let mean = mean * (R::of(1.0) / mean.norm().larger(R::of(1e-6)));
-        let round = (axis + V3(mean.0.map(R::Lanes::all))).cross(before - after);
-        let pick = |new, old| R::Lanes::pick_less(turn, R::Lanes::zero(), new, old);
-        let old = slope.0;
-        slope.0 = [pick(round.0[0], old[0]), pick(round.0[1], old[1]), pick(round.0[2], old[2])];
     }
 }
 

@@ -72,7 +72,11 @@ impl Soft {
             return Self { isometry: 1.0, position: 1.0, contact: 1.0 };
         }
         let strength = pull.larger(rigidity / RIGIDITY_PER_PULL).larger(1.0);
-        Self { isometry: 2.0 * strength, position: 2.0 * (strength / OFFICE).larger(1.0), contact: 5.0 * strength }
+        Self {
+            isometry: 2.0 * strength,
+            position: 2.0 * (strength / OFFICE).larger(1.0),
+            contact: 5.0 * strength,
+        }
     }
 }
 

@@ -18,7 +18,8 @@ use crate::state::{Leaf, Root, Sheet};
 const LEAST_MU: f64 = 0.05;
 /// The weight in terms of the largest multiplier. Source: RHS19.
 const MU_OVER_LAMBDA: f64 = 1.1;
-/// Rounding a resting leaf may lose without the step being called worse.
+/// Rounding a resting leaf may lose without the step being called worse: a share of the merit plus one unit,
+/// which is the weight of a leaf times a thousandth of its width.
 const SLACK: f64 = 1e-6;
 /// Line-search trials at most.
 pub const TRIALS: u32 = 20;
@@ -203,7 +204,7 @@ impl<R: Real, G: Grid> Solver<R, G> {
         report: &mut StepReport,
     ) -> StepStatus {
         let before = merit(sheet, leaf, &leaf.x, &self.aim, ask).at(mu);
-        let allowed = before + before.magnitude() * R::of(SLACK);
+        let allowed = before + (before.magnitude() + R::of(1.0)) * R::of(SLACK);
         self.start.copy_from(&leaf.x);
         let mut share = R::of(1.0);
         for trial in 0..TRIALS {

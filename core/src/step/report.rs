@@ -60,6 +60,8 @@ pub struct StepReport {
     pub clamped: u32,
     /// Small solves of the page blocks and the cover.
     pub chain_solves: u32,
+    /// Times something that would not come to rest by itself was put to rest.
+    pub forced_rests: u32,
     /// Times a balanced leaf was nudged off its edge.
     pub nudged: u32,
     /// Input samples that were refused.
@@ -78,6 +80,7 @@ impl StepReport {
         self.pushed = self.pushed.saturating_add(o.pushed);
         self.clamped = self.clamped.saturating_add(o.clamped);
         self.chain_solves = self.chain_solves.saturating_add(o.chain_solves);
+        self.forced_rests = self.forced_rests.saturating_add(o.forced_rests);
         self.nudged = self.nudged.saturating_add(o.nudged);
         self.refused = self.refused.saturating_add(o.refused);
     }

@@ -146,7 +146,7 @@ impl Lattice {
         let rows = self.probes.len() / self.columns.max(1);
         for step in [1, self.columns, 1, self.columns] {
             let inside = |at: usize| match step {
-                1 => at % self.columns > 0 && at % self.columns + 1 < self.columns,
+                1 => !at.is_multiple_of(self.columns) && at % self.columns + 1 < self.columns,
                 _ => at >= step && at / step + 1 < rows,
             };
             let evened = |at| if inside(at) { self.evened(at, step) } else { self.probes[at].seen };

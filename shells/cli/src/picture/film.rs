@@ -3,13 +3,13 @@
 use super::{Look, Shot};
 use crate::error::CliError;
 use crate::progress;
-use std::path::Path;
+use dogleaf_render::anim::Writer;
 
 /// A shot and for how many frames it stands.
 #[derive(Debug)]
-pub(crate) struct Take {
-    pub(crate) shot: Shot,
-    pub(crate) frames: u32,
+struct Take {
+    shot: Shot,
+    frames: u32,
 }
 
 /// Shots kept until the physics is done.
@@ -34,15 +34,13 @@ impl Film {
         }
     }
 
-    /// Draws every shot and writes the animation.
-    pub(crate) fn write(&self, look: &mut Look, out: &Path, fps: u32) -> Result<(), CliError> {
-        let [width, height] = look.size();
-        let mut writer = super::temporary::Writer::create(out, width, height, fps)?;
+    /// Draws every shot and completes the animation.
+    pub(crate) fn write(&self, look: &mut Look, mut writer: Writer) -> Result<(), CliError> {
         let bar = progress::bar(self.takes.len() as u64, "drawing");
         for take in &self.takes {
             let picture = look.draw(&take.shot)?;
             for _ in 0..take.frames {
-                writer.frame(picture)?;
+                writer.push(picture)?;
             }
             bar.inc(1);
         }

@@ -5,7 +5,6 @@ mod look;
 mod pages;
 mod sheet;
 mod shot;
-mod temporary;
 
 pub(crate) use film::Film;
 pub(crate) use look::{Look, Set};

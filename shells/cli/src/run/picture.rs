@@ -5,7 +5,8 @@ use crate::error::CliError;
 use crate::picture::{Film, Look, Pages, Set};
 use crate::scene::{Body, Scene};
 use dogleaf_core::scene::Direction;
-use std::path::{Path, PathBuf};
+use dogleaf_render::anim::Writer;
+use std::path::Path;
 
 /// Frames of an animation a second, at most: players make a mess of more.
 const MOST_FPS: f64 = 30.0;
@@ -14,8 +15,7 @@ const MOST_FPS: f64 = 30.0;
 pub(super) struct Picture {
     look: Look,
     film: Film,
-    out: PathBuf,
-    fps: u32,
+    writer: Writer,
     /// Every so many frames of the scene are shown.
     every: u32,
 }
@@ -32,7 +32,9 @@ impl Picture {
         let every = (rate / MOST_FPS - 0.01).ceil().max(1.0) as u32;
         let fps = (rate / f64::from(every)).round().max(1.0) as u32;
         let look = Look::new(set, Pages::new(None))?;
-        Ok(Self { look, film: Film::default(), out: out.to_owned(), fps, every })
+        let [width, height] = look.size();
+        let writer = Writer::create(out, width, height, fps)?;
+        Ok(Self { look, film: Film::default(), writer, every })
     }
 
     pub(super) fn frame(&mut self, frame: &Frame<'_>) -> Result<(), CliError> {
@@ -43,6 +45,6 @@ impl Picture {
     }
 
     pub(super) fn finish(mut self) -> Result<(), CliError> {
-        self.film.write(&mut self.look, &self.out, self.fps)
+        self.film.write(&mut self.look, self.writer)
     }
 }

@@ -12,6 +12,7 @@ use crate::scene::PICTURE;
 use dogleaf_content::Book;
 use dogleaf_core::hand::{Sample, View};
 use dogleaf_core::scene::{BookSpec, PaperSpec, Preset};
+use dogleaf_render::anim::Writer;
 use play::Play;
 
 /// Frames of the animation a second: every second step.
@@ -26,9 +27,12 @@ pub(crate) fn turn(args: &TurnArgs) -> Result<(), CliError> {
     let hand_view = View::reading(book.width_m, book.height_m, PICTURE[0], PICTURE[1]);
     let samples = samples(args, &Desk::new(&hand_view, &book, &paper))?;
     let mut look = look(args, content, &book, &paper)?;
+    // Before the work, so that a place nobody can write to is refused at once.
+    let [width, height] = args.size;
+    let writer = Writer::create(&args.out, width, height, FPS)?;
     let play = Play { book, paper, view: hand_view, fidelity: args.fidelity.into() };
     let (film, figures) = play.run(&samples)?;
-    film.write(&mut look, &args.out, FPS)?;
+    film.write(&mut look, writer)?;
     report::print(&figures, args.json, shown(&args.out))
 }
 

@@ -14,6 +14,9 @@ const SHORTEST: u64 = 2;
 /// Index for pixels that stay as they are.
 const CLEAR: u8 = 255;
 
+/// Less than this is lost in the coding anyway, levels.
+const SLACK: u8 = 2;
+
 /// An animated GIF in the making.
 pub(super) struct Gif {
     /// Taken when the file is closed.
@@ -57,6 +60,14 @@ impl Film for Gif {
             Some(encoder) => encoder.write_frame(&frame).map_err(|e| failed(&e)),
             None => Err(failed(&"already closed")),
         }
+    }
+
+    fn slack(&self) -> u8 {
+        SLACK
+    }
+
+    fn skips_same(&self) -> bool {
+        true
     }
 
     fn close(&mut self) -> Result<(), AnimError> {

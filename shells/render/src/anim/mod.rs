@@ -31,6 +31,14 @@ trait Film: std::fmt::Debug {
     fn lasts(&self, _clock: Clock, _from: u64, _to: u64) -> bool {
         true
     }
+    /// Levels by which a pixel may differ from what is on the screen before it is written again.
+    fn slack(&self) -> u8 {
+        0
+    }
+    /// Whether pixels that may stay are left out one by one, and not only outside the rectangle.
+    fn skips_same(&self) -> bool {
+        false
+    }
     /// Whether every frame is wanted whole, equal or not.
     fn wants_all(&self) -> bool {
         false
@@ -61,7 +69,7 @@ pub struct Writer {
     clock: Clock,
     film: Box<dyn Film>,
     part: Part,
-    /// The last frame that went into a shot.
+    /// What is on the screen: the frames that went into shots.
     last: Vec<u8>,
     /// The shot not yet written, because its end is not known.
     open: Option<Shot>,
@@ -150,20 +158,36 @@ impl Writer {
     /// Begins a new shot with what changed in `frame`, if anything did.
     fn take(&mut self, frame: &[u8]) -> Result<(), AnimError> {
         let whole = Rect { x: 0, y: 0, width: self.size.0, height: self.size.1 };
+        let (width, slack) = (self.size.0, self.film.slack());
         let rect = if self.last.is_empty() || self.film.wants_all() {
             Some(whole)
         } else {
-            Rect::changed(&self.last, frame, self.size.0)
+            Rect::changed(&self.last, frame, width, slack)
         };
         let Some(rect) = rect else { return Ok(()) };
         self.cut()?;
         let rect = rect.even(self.size);
-        let same = rect.unchanged(&self.last, frame, self.size.0);
-        let pixels = rect.crop(frame, self.size.0);
+        let same = rect.unchanged(&self.last, frame, width, slack);
+        let pixels = rect.crop(frame, width);
+        self.keep_shown(frame, rect, &same);
         self.open = Some(Shot { rect, pixels, same, from: self.frames, to: self.frames, clock: self.clock });
-        self.last.clear();
-        self.last.extend_from_slice(frame);
         Ok(())
+    }
+
+    /// Remembers what will be on the screen, so that small changes cannot add up unseen.
+    fn keep_shown(&mut self, frame: &[u8], rect: Rect, same: &[bool]) {
+        if self.last.is_empty() {
+            self.last.extend_from_slice(frame);
+            return;
+        }
+        let skip = self.film.skips_same();
+        for (row, line) in rect.rows(self.size.0).enumerate() {
+            for (i, at) in line.step_by(3).enumerate() {
+                if !(skip && same[row * rect.width + i]) {
+                    self.last[at..at + 3].copy_from_slice(&frame[at..at + 3]);
+                }
+            }
+        }
     }
 
     /// Writes the open shot, which ends now.

@@ -50,7 +50,7 @@ impl Palette {
     pub(super) fn draw(&mut self, rgb: &[u8], width: usize) -> Vec<u8> {
         const BAYER: [[u8; 4]; 4] = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]];
         let dithered = |(i, p): (usize, &[u8])| {
-            let offset = (f32::from(BAYER[i / width & 3][i % width & 3]) / 15.0 - 0.5) * DITHER;
+            let offset = (f32::from(BAYER[(i / width) & 3][(i % width) & 3]) / 15.0 - 0.5) * DITHER;
             let move_ = |c: u8| (f32::from(c) + offset + 0.5).clamp(0.0, 255.0) as u8;
             let cell = cell([move_(p[0]), move_(p[1]), move_(p[2])]);
             *self.nearest[cell].get_or_insert_with(|| closest(&self.colours, cell as u32))

@@ -45,19 +45,23 @@ pub(super) struct Rect {
 }
 
 impl Rect {
-    /// The smallest rectangle that holds every pixel that differs; `None` if none does.
-    pub(super) fn changed(old: &[u8], new: &[u8], width: usize) -> Option<Self> {
-        let rows = || old.chunks_exact(width * 3).zip(new.chunks_exact(width * 3)).enumerate();
-        let differ = |(_, (a, b)): &(usize, (&[u8], &[u8]))| a != b;
-        let top = rows().find(differ)?.0;
-        let bottom = rows().filter(differ).last()?.0;
+    /// The smallest rectangle that holds every pixel that differs by more than `slack` levels; `None`
+    /// if none does.
+    pub(super) fn changed(old: &[u8], new: &[u8], width: usize, slack: u8) -> Option<Self> {
         let (mut left, mut right) = (width, 0);
-        for (_, (a, b)) in rows().filter(differ) {
+        let (mut top, mut bottom) = (usize::MAX, 0);
+        for (y, (a, b)) in old.chunks_exact(width * 3).zip(new.chunks_exact(width * 3)).enumerate() {
+            if a == b {
+                continue;
+            }
             let pixels = || a.chunks_exact(3).zip(b.chunks_exact(3));
-            left = left.min(pixels().position(|(p, q)| p != q).unwrap_or(width));
-            right = right.max(width - pixels().rev().position(|(p, q)| p != q).unwrap_or(width));
+            let differ = |(p, q): (&[u8], &[u8])| !alike(p, q, slack);
+            let Some(first) = pixels().position(differ) else { continue };
+            let last = pixels().rposition(differ).unwrap_or(first);
+            (left, right) = (left.min(first), right.max(last + 1));
+            (top, bottom) = (top.min(y), y + 1);
         }
-        Some(Self { x: left, y: top, width: right - left, height: bottom + 1 - top })
+        (left < right).then(|| Self { x: left, y: top, width: right - left, height: bottom - top })
     }
 
     /// Grown so that it begins at even pixels, which is all WebP can say, and does not touch the
@@ -74,20 +78,28 @@ impl Rect {
         self.rows(width).flat_map(|row| &frame[row]).copied().collect()
     }
 
-    /// For each pixel of the rectangle, whether it is the same; empty if there is no `old`.
-    pub(super) fn unchanged(&self, old: &[u8], new: &[u8], width: usize) -> Vec<bool> {
+    /// For each pixel of the rectangle, whether it differs by no more than `slack` levels; empty if
+    /// there is no `old`.
+    pub(super) fn unchanged(&self, old: &[u8], new: &[u8], width: usize, slack: u8) -> Vec<bool> {
         if old.is_empty() {
             return Vec::new();
         }
-        let same = |row: std::ops::Range<usize>| {
-            old[row.clone()].chunks_exact(3).zip(new[row].chunks_exact(3)).map(|(a, b)| a == b)
-        };
-        self.rows(width).flat_map(same).collect()
+        let mut same = Vec::with_capacity(self.width * self.height);
+        for row in self.rows(width) {
+            let pairs = old[row.clone()].chunks_exact(3).zip(new[row].chunks_exact(3));
+            same.extend(pairs.map(|(a, b)| alike(a, b, slack)));
+        }
+        same
     }
 
     /// Byte range of each row.
-    fn rows(&self, width: usize) -> impl Iterator<Item = std::ops::Range<usize>> + use<> {
+    pub(super) fn rows(&self, width: usize) -> impl Iterator<Item = std::ops::Range<usize>> + use<> {
         let Self { x, y, width: w, height } = *self;
         (y..y + height).map(move |row| (row * width + x) * 3..(row * width + x + w) * 3)
     }
+}
+
+/// Whether two pixels differ by no more than `slack` levels in any channel.
+fn alike(a: &[u8], b: &[u8], slack: u8) -> bool {
+    a.iter().zip(b).all(|(a, b)| a.abs_diff(*b) <= slack)
 }

@@ -20,6 +20,9 @@ const QUALITY: f32 = 90.0;
 /// The fastest search: eight times faster than the next for files half as large again.
 const METHOD: u8 = 0;
 
+/// Less than this is lost in the coding anyway, levels.
+const SLACK: u8 = 2;
+
 /// An animated WebP in the making.
 #[derive(Debug)]
 pub(super) struct Webp {
@@ -71,6 +74,10 @@ impl Film for Webp {
         let file = webp_rust::encode_lossy_with_config(&picture, &config, None).map_err(|e| failed(&e))?;
         let chunk = picture_chunk(&file).ok_or_else(|| failed(&"no picture in the encoder's answer"))?;
         said(self.add(shot, chunk))
+    }
+
+    fn slack(&self) -> u8 {
+        SLACK
     }
 
     fn close(&mut self) -> Result<(), AnimError> {

@@ -1,6 +1,6 @@
 //! The triangles that keep light from others.
 
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
 use crate::patch::Patch;
 
@@ -34,4 +34,15 @@ impl Casters {
         let used = self.triangles.iter().flatten().map(|&i| along(self.points[i as usize]));
         used.fold(None, |box_, p| Some(box_.map_or((p, p), |(low, high): (Vec3, Vec3)| (low.min(p), high.max(p)))))
     }
+}
+
+/// Widens a range to a grid of a sixteenth of its size, so that a map fitted to it stays where it is
+/// from frame to frame and its texels do not crawl while a leaf moves.
+pub(crate) fn steady(low: Vec2, high: Vec2) -> (Vec2, Vec2) {
+    let grid = |low: f32, high: f32| {
+        let step = ((high - low).max(1e-5).log2().ceil() - 4.0).exp2();
+        ((low / step).floor() * step, (high / step).ceil() * step)
+    };
+    let (x, y) = (grid(low.x, high.x), grid(low.y, high.y));
+    (Vec2::new(x.0, y.0), Vec2::new(x.1, y.1))
 }

@@ -6,7 +6,7 @@
 
 use glam::{Vec2, Vec3};
 
-use super::casters::Casters;
+use super::casters::{Casters, steady};
 use crate::light::PointLight;
 
 /// Points of the disc.
@@ -41,7 +41,9 @@ impl View {
     /// Looks from the lamp at the middle of the casters.
     pub(super) fn new(light: &PointLight, casters: &Casters) -> Option<Self> {
         let (low, high) = casters.extent(|p| p)?;
-        let middle = (low + high) * 0.5;
+        // The foot of what stands there, to the centimetre: it stays put while a leaf moves above it.
+        let foot = Vec3::new(0.5 * (low.x + high.x), low.y, 0.5 * (low.z + high.z));
+        let middle = (foot * 100.0).round() / 100.0;
         let ahead = (middle - light.position).try_normalize()?;
         let right = ahead.any_orthonormal_vector();
         let radius = light.radius_m.max(0.0);
@@ -66,7 +68,7 @@ impl View {
         let probe = *self;
         let (low, high) = casters.extent(|p| probe.project(p).unwrap_or_default())?;
         let margin = self.reach(low.z).max(self.reach(high.z)) + 0.002;
-        let (low, high) = (low.truncate() - margin, high.truncate() + margin);
+        let (low, high) = steady(low.truncate() - margin, high.truncate() + margin);
         self.scale = Vec2::splat(SIDE as f32 - 4.0) / (high - low).max(Vec2::splat(1e-6));
         self.centre = Vec2::splat(2.0) - low * self.scale;
         Some(())

@@ -6,7 +6,7 @@
 
 use glam::Vec3;
 
-use super::casters::Casters;
+use super::casters::{Casters, steady};
 use super::depth_map::{EMPTY, fill, passes};
 use crate::environment::{Environment, spiral};
 use crate::parallel::for_each_part;
@@ -96,7 +96,8 @@ impl Sky {
         let up = towards.cross(right);
         let along = |p: Vec3| Vec3::new(p.dot(right), p.dot(up), p.dot(towards));
         let Some((low, high)) = casters.extent(along) else { return };
-        let size = (high - low).truncate().max(glam::Vec2::splat(1e-5));
+        let (low, high) = steady(low.truncate(), high.truncate());
+        let size = (high - low).max(glam::Vec2::splat(1e-5));
         let scale = glam::Vec2::splat(SIDE as f32 - 4.0) / size;
         self.texel_m = self.texel_m.max(1.0 / scale.min_element());
         self.views.push(View {

@@ -1,0 +1,73 @@
+//! `turn`: books in, animations out, figures as the contract says.
+
+mod common;
+
+use common::{arg, fixture, folder, told};
+use serde_json::Value;
+
+/// A turn in a small picture, which is drawn fast.
+fn turn(book: &str, out: &str, more: &[&str]) -> Value {
+    let args = ["turn", book, "-o", out, "--size", "96x72", "--json"];
+    let text = told(&[&args, more].concat());
+    assert_eq!(text.lines().count(), 1, "one object");
+    serde_json::from_str(&text).expect("JSON")
+}
+
+/// A short gesture: few frames to draw.
+fn flick() -> String {
+    fixture("gestures/flick.jsonl")
+}
+
+#[test]
+fn a_pdf_turns_into_a_webp_with_its_figures() {
+    let out = arg(&folder("turn_pdf"), "out.webp");
+    let found = turn(&fixture("books/old-verses.pdf"), &out, &[]);
+    let keys: Vec<&String> = found.as_object().expect("an object").keys().collect();
+    let wanted = ["committed_page", "out", "simulated", "step_us", "steps", "stretch"];
+    assert_eq!(keys, wanted, "exactly these, here by letter");
+    assert_eq!((&found["committed_page"], &found["out"]), (&10.into(), &out.clone().into()), "ends");
+    assert!(found["steps"].as_u64() > Some(72), "{found}");
+    assert!(found["step_us"]["median"].as_f64() > Some(0.0), "{found}");
+    assert!(found["step_us"]["p99"].as_f64() >= found["step_us"]["median"].as_f64(), "{found}");
+    let stretch = |name: &str| found["stretch"][name].as_f64().expect("a number");
+    let (rms, mean, max) = (stretch("rms"), stretch("avg_max"), stretch("max"));
+    assert!(0.0 < rms && rms < mean && mean < max && max < 0.2, "{found}");
+    assert!(found["simulated"].as_array().is_some_and(|s| s[0] == "leaf"), "{found}");
+    let bytes = std::fs::read(out).expect("a file");
+    assert_eq!((&bytes[..4], &bytes[8..12]), (&b"RIFF"[..], &b"WEBP"[..]), "a WebP");
+}
+
+#[test]
+fn an_archive_turns_and_then_a_folder() {
+    let here = folder("turn_folder");
+    let frames = arg(&here, "frames");
+    turn(&fixture("books/old-verses.cbz"), &frames, &["--gesture", &flick()]);
+    assert!(here.join("frames/frame_0000.png").is_file(), "pictures");
+    let gif = arg(&here, "out.gif");
+    let found = turn(&frames, &gif, &["--gesture", &flick(), "--page", "1"]);
+    assert!(std::fs::read(gif).expect("a file").starts_with(b"GIF89a"), "a GIF");
+    assert_eq!(found["committed_page"], 2, "from the first page");
+}
+
+#[test]
+fn right_to_left_is_the_mirror_image() {
+    let here = folder("turn_rtl");
+    let book = fixture("books/old-verses.pdf");
+    let ltr = turn(&book, &arg(&here, "ltr.png"), &[]);
+    let rtl = turn(&book, &arg(&here, "rtl.png"), &["--direction", "rtl"]);
+    assert_eq!(ltr["steps"], rtl["steps"], "as many steps");
+    assert_eq!(ltr["committed_page"], rtl["committed_page"], "the same page");
+    for name in ["max", "avg_max", "rms"] {
+        let [a, b] = [&ltr, &rtl].map(|f| f["stretch"][name].as_f64().expect("a number"));
+        assert!((a - b).abs() < 1e-4, "{name}: {a} and {b}");
+    }
+}
+
+#[test]
+fn what_is_put_back_commits_nothing() {
+    let out = arg(&folder("turn_peek"), "out.webp");
+    let peek = fixture("gestures/peek_and_put_back.jsonl");
+    let book = fixture("books/old-verses.pdf");
+    let found = turn(&book, &out, &["--gesture", &peek, "--fidelity", "fine"]);
+    assert!(found["committed_page"].is_null(), "{found}");
+}
