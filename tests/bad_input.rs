@@ -133,9 +133,10 @@ fn what_is_only_just_allowed_is_simulated() {
             scene.paper.weights = Some(weights);
             let samples = Gesture::corner_turn(&scene.eye(), 7);
             let name = name.trim_start_matches("paper.weights.");
-            cases.push(
-                Case::new(format!("{name} {value:e}"), &scene, samples, Ends::Hangs).within(20.0),
-            );
+            let case = Case::new(format!("{name} {value:e}"), &scene, samples, Ends::Hangs);
+            // Blocks without stiffness fold where they are glued.
+            let folded = name == "bend_2d" && value < 1.0;
+            cases.push(Case { folded, ..case.within(20.0) });
         }
     }
     let failed = judge(&cases);

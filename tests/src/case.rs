@@ -43,6 +43,8 @@ pub struct Case {
     pub ends: Ends,
     /// Seconds it may take to rest after the last sample.
     pub rest_s: f64,
+    /// The blocks fold over themselves: how deep a leaf is in them has no answer.
+    pub folded: bool,
 }
 
 /// Seconds a leaf may take to rest.
@@ -53,7 +55,7 @@ const BEYOND: u32 = 60;
 impl Case {
     /// A case that ends as said, in four seconds.
     pub fn new(name: impl Into<String>, scene: &Scene, samples: Vec<Sample>, ends: Ends) -> Self {
-        Self { name: name.into(), scene: *scene, samples, ends, rest_s: REST_S }
+        Self { name: name.into(), scene: *scene, samples, ends, rest_s: REST_S, folded: false }
     }
     /// With more time to come to rest.
     #[must_use]
@@ -65,7 +67,7 @@ impl Case {
     /// Plays the case and judges it.
     pub fn run<R: Real>(&self) -> Row {
         let name = self.name.clone();
-        let mut seen = Watch::default();
+        let mut seen = Watch { folded: self.folded, ..Watch::default() };
         let mut faults = Vec::new();
         let last_us = self.samples.last().map_or(0, |s| s.t_us);
         let drag = u32::try_from(last_us / u64::from(FRAME_US)).unwrap_or(u32::MAX / 2) + 1;

@@ -68,6 +68,8 @@ pub struct Watch {
     pub gap: f64,
     /// Deepest a node of a leaf lay inside a block, page widths.
     pub sunk: f64,
+    /// The blocks fold over themselves: how deep a leaf is in them has no answer.
+    pub folded: bool,
     /// First complaint about a state no book may be in.
     pub complaint: Option<String>,
 }

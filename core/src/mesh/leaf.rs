@@ -70,7 +70,9 @@ fn mend(net: &Net, vertices: &mut [Vertex], pen: &Pen, line: &mut Polyline) {
     net.normals(vertices);
     for round in 0..MENDINGS {
         let Some((first, last)) = net.folds(vertices) else { return };
-        net.smooth(vertices, first.saturating_sub(round), last + round);
+        for _ in 0..=round / 8 {
+            net.smooth(vertices, first.saturating_sub(round), last + round);
+        }
         for row in 0..net.rows {
             let at = Row { row, rows: net.rows };
             at.trace(vertices, line);
@@ -91,7 +93,7 @@ fn across<R: Real, G: Grid>(
         assert!(
             G::NX <= spline::MOST && G::NZ <= spline::MOST,
             "a spline row holds a column of every grid"
-        )
+        );
     };
     let height = Layout::<G>::ROWS;
     let nothing = [V3::zero(); spline::MOST];

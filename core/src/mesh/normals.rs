@@ -8,7 +8,7 @@ use super::curve::unit;
 use crate::real::V3;
 
 /// Neighbours whose normals meet at less than this cosine are at a fold.
-const FOLD: f32 = 0.4;
+const FOLD: f32 = 0.7;
 /// The columns at the spine are so narrow that a triangle may stand out of them unseen.
 const NARROW: usize = 3;
 /// Corrections a normal at a fold gets at most.
@@ -80,15 +80,15 @@ impl Net {
         failed
     }
 
-    /// Draws the rows straighter between two columns: each vertex goes half-way to the middle of its
-    /// neighbours, once outwards and once back.
+    /// Draws the rows straighter between two columns: each vertex goes to the middle of its neighbours,
+    /// once outwards and once back.
     pub(super) fn smooth(&self, net: &mut [Vertex], first: usize, last: usize) {
         let band = first.max(1)..(last + 1).min(self.columns - 1);
         for j in band.clone().chain(band.rev()) {
             for r in 0..self.rows {
                 let p =
                     |j: usize| net.get(j * self.rows + r).map_or(V3([0.0; 3]), |v| V3(v.position));
-                let place = p(j) * 0.5 + (p(j - 1) + p(j + 1)) * 0.25;
+                let place = (p(j - 1) + p(j + 1)) * 0.5;
                 self.set(net, j, r, |v| v.position = place.0);
             }
         }

@@ -30,7 +30,9 @@ pub enum RenderError {
         got: usize,
     },
     /// Eye, target and up are not finite, or lie on one line, or the angle of view is not in (0, π).
-    #[error("camera is degenerate: eye, target and up must span a plane and the angle must be in (0, pi)")]
+    #[error(
+        "camera is degenerate: eye, target and up must span a plane and the angle must be in (0, pi)"
+    )]
     Camera,
 }
 

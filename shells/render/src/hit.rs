@@ -43,7 +43,8 @@ impl Hit {
         let [a, b, c] = triangle.corners.map(|i| &geometry.corners[i as usize]);
         let first = 1.0 - weights[0] - weights[1];
         let position = a.position * first + b.position * weights[0] + c.position * weights[1];
-        let smooth = unit(a.normal * first + b.normal * weights[0] + c.normal * weights[1], triangle.face);
+        let smooth =
+            unit(a.normal * first + b.normal * weights[0] + c.normal * weights[1], triangle.face);
         let view = unit(eye.position - position, Vec3::Y);
         let outside = triangle.face.dot(view) >= 0.0;
         let side = if outside { 1.0 } else { -1.0 };

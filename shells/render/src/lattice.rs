@@ -49,7 +49,9 @@ impl Probe {
     }
 
     fn joins(&self, patch: u32, near: f32, normal: Vec3) -> bool {
-        self.patch == patch && (self.near - near).abs() < 0.03 * near && self.normal.dot(normal) > 0.94
+        self.patch == patch
+            && (self.near - near).abs() < 0.03 * near
+            && self.normal.dot(normal) > 0.94
     }
 
     /// The three shares that decide.
@@ -163,7 +165,9 @@ impl Lattice {
         if !pair.iter().all(|p| p.joins(me.patch, me.near, me.normal)) {
             return me.seen;
         }
-        let mean = |pick: fn(&Seen) -> f32| 0.5 * pick(&me.seen) + 0.25 * (pick(&pair[0].seen) + pick(&pair[1].seen));
+        let mean = |pick: fn(&Seen) -> f32| {
+            0.5 * pick(&me.seen) + 0.25 * (pick(&pair[0].seen) + pick(&pair[1].seen))
+        };
         let sharp = pair.iter().any(|p| (p.seen.lamp - me.seen.lamp).abs() > SHARP);
         Seen {
             sky: SkyShare { front: mean(|s| s.sky.front), back: mean(|s| s.sky.back) },
@@ -203,7 +207,8 @@ impl Lattice {
             let other = if inside { self.probes.get(other) } else { None };
             other.filter(|o| o.joins(me.patch, me.near, me.normal)).map(Probe::shares)
         };
-        let across = [fitting(column > 0, at.wrapping_sub(1)), fitting(column + 1 < self.columns, at + 1)];
+        let across =
+            [fitting(column > 0, at.wrapping_sub(1)), fitting(column + 1 < self.columns, at + 1)];
         let down = [fitting(true, at.wrapping_sub(self.columns)), fitting(true, at + self.columns)];
         let mine = me.shares();
         let strays = |pair: &[Option<[f32; 3]>; 2], i: usize| match *pair {
@@ -225,7 +230,8 @@ impl Lattice {
             return Trust::Nothing;
         }
         let first = &self.probes[at];
-        let together = corners.iter().all(|&i| self.probes[i].joins(first.patch, first.near, first.normal));
+        let together =
+            corners.iter().all(|&i| self.probes[i].joins(first.patch, first.near, first.normal));
         let spread = |i: usize| {
             let v = corners.map(|c| self.probes[c].shares()[i]);
             v.iter().copied().fold(0.0, f32::max) - v.iter().copied().fold(1.0, f32::min)

@@ -40,7 +40,8 @@ pub(crate) struct Light {
 
 impl Light {
     /// No light at all.
-    pub(crate) const NONE: Self = Self { diffuse: Vec3::ZERO, through: Vec3::ZERO, gloss: Vec3::ZERO };
+    pub(crate) const NONE: Self =
+        Self { diffuse: Vec3::ZERO, through: Vec3::ZERO, gloss: Vec3::ZERO };
 
     /// The light that reaches the eye from a surface of these colours.
     pub(crate) fn on(&self, optics: &Optics) -> Vec3 {
@@ -73,7 +74,8 @@ fn room(hit: &Hit, paint: &Paint, lights: &Lights, sky: SkyShare) -> Light {
         gloss: room.mirrored(mirror, paint.roughness) * (k.specular * sky.front * sky.front),
     };
     if paint.passing > 0.0 {
-        light.through = room.irradiance(-hit.normal) * bounced(sky.back, paint.pale) * k.transmitted;
+        light.through =
+            room.irradiance(-hit.normal) * bounced(sky.back, paint.pale) * k.transmitted;
     }
     light
 }

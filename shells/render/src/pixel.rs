@@ -2,7 +2,6 @@
 
 use glam::{Vec2, Vec3};
 
-
 use crate::hit::{Eye, Hit};
 use crate::lattice::{Lattice, Probe};
 use crate::light::Lights;
@@ -72,7 +71,8 @@ impl<const N: usize> Frame<'_, N> {
         }
         let mut light = Vec3::ZERO;
         for group in &groups[..used] {
-            light += self.surface(group.triangle, group.places / group.count, x, y, near) * group.count;
+            light +=
+                self.surface(group.triangle, group.places / group.count, x, y, near) * group.count;
         }
         light / N as f32
     }
@@ -100,10 +100,19 @@ impl<const N: usize> Frame<'_, N> {
         let paint = &self.paints[triangle.patch as usize];
         let light = match near.lattice.at(x, y, triangle.patch, &hit) {
             Some(mean) if mean.is_whole() => mean.light(),
-            Some(mean) => self.light(&hit, paint, Seen { sky: mean.sky(), lamp: self.lamp_share(&hit, paint) }),
+            Some(mean) => self.light(
+                &hit,
+                paint,
+                Seen { sky: mean.sky(), lamp: self.lamp_share(&hit, paint) },
+            ),
             None => self.light(&hit, paint, self.seen_near(&hit, paint, triangle.patch, near)),
         };
-        let spot = Spot { position: hit.position, foot: hit.foot, pixel_m: hit.pixel_m, outside: hit.outside };
+        let spot = Spot {
+            position: hit.position,
+            foot: hit.foot,
+            pixel_m: hit.pixel_m,
+            outside: hit.outside,
+        };
         light.on(&self.patches[triangle.patch as usize].material.at(&spot, paint.passing > 0.0))
     }
 
@@ -118,13 +127,15 @@ impl<const N: usize> Frame<'_, N> {
         }
         let seen = self.seen(hit, paint);
         near.asked.rotate_right(1);
-        near.asked[0] = Probe { patch, near: hit.near, normal: hit.normal, seen, light: Light::NONE };
+        near.asked[0] =
+            Probe { patch, near: hit.near, normal: hit.normal, seen, light: Light::NONE };
         seen
     }
 
     fn seen(&self, hit: &Hit, paint: &Paint) -> Seen {
         let thickness_m = (paint.passing > 0.0).then_some(paint.thickness_m);
-        let place = Place { position: hit.position, normal: hit.normal, face: hit.face, thickness_m };
+        let place =
+            Place { position: hit.position, normal: hit.normal, face: hit.face, thickness_m };
         Seen { sky: self.sky.share(&place), lamp: self.lamp_share(hit, paint) }
     }
 
@@ -141,12 +152,19 @@ impl<const N: usize> Frame<'_, N> {
             Some(mean) => Seen { sky: mean.sky(), lamp: self.lamp_share(&hit, paint) },
             None => self.seen(&hit, paint),
         };
-        Probe { patch: triangle.patch, near: hit.near, normal: hit.normal, seen, light: Light::NONE }
+        Probe {
+            patch: triangle.patch,
+            near: hit.near,
+            normal: hit.normal,
+            seen,
+            light: Light::NONE,
+        }
     }
 
     /// The light at such a pixel.
     pub(crate) fn probe_light(&self, number: u32, x: usize, y: usize, seen: Seen) -> Light {
-        self.first(number, x, y).map_or(Light::NONE, |(_, hit, paint)| self.light(&hit, paint, seen))
+        self.first(number, x, y)
+            .map_or(Light::NONE, |(_, hit, paint)| self.light(&hit, paint, seen))
     }
 
     /// Place of the first sample of a pixel.

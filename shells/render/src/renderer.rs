@@ -135,7 +135,12 @@ impl Renderer {
     /// # Determinism
     ///
     /// The same input gives the same bytes on any number of threads.
-    pub fn render(&mut self, camera: &Camera, lights: &Lights, patches: &[Patch<'_>]) -> Result<&[u8], RenderError> {
+    pub fn render(
+        &mut self,
+        camera: &Camera,
+        lights: &Lights,
+        patches: &[Patch<'_>],
+    ) -> Result<&[u8], RenderError> {
         let aspect = self.size.0 as f32 / self.size.1 as f32;
         let clip_from_world = camera.clip_from_world(aspect)?;
         self.geometry.gather(patches, &clip_from_world, self.size);
@@ -150,7 +155,13 @@ impl Renderer {
         Ok(&self.picture)
     }
 
-    fn draw<const N: usize>(&mut self, camera: &Camera, lights: &Lights, patches: &[Patch<'_>], grid: Grid<N>) {
+    fn draw<const N: usize>(
+        &mut self,
+        camera: &Camera,
+        lights: &Lights,
+        patches: &[Patch<'_>],
+        grid: Grid<N>,
+    ) {
         let paints: Vec<Paint> = patches.iter().map(|p| p.material.paint()).collect();
         let pixel_at_1m = 2.0 * (camera.fov_y_rad * 0.5).tan() / self.size.1 as f32;
         let frame = Frame {
@@ -169,10 +180,12 @@ impl Renderer {
         let [coarse, fine] = &mut self.lattices;
         canvas.probe(coarse, &self.numbers, |_, number, x, y| frame.probe(number, x, y, None));
         coarse.judge();
-        canvas.probe(fine, &self.numbers, |_, number, x, y| frame.probe(number, x, y, Some(coarse)));
+        canvas
+            .probe(fine, &self.numbers, |_, number, x, y| frame.probe(number, x, y, Some(coarse)));
         fine.smooth();
-        canvas.probe(fine, &self.numbers, |probe, number, x, y| {
-            Probe { light: frame.probe_light(number, x, y, probe.seen), ..*probe }
+        canvas.probe(fine, &self.numbers, |probe, number, x, y| Probe {
+            light: frame.probe_light(number, x, y, probe.seen),
+            ..*probe
         });
         fine.judge();
         canvas.colour(fine, &self.numbers, &self.tone, &mut self.picture);
@@ -198,7 +211,12 @@ impl<const N: usize> Canvas<'_, N> {
 
     /// Sets every point of a lattice to what `ask` makes of the point, and of the triangle and the
     /// pixel it lies on.
-    fn probe(&self, lattice: &mut Lattice, numbers: &[u32], ask: impl Fn(&Probe, u32, usize, usize) -> Probe + Sync) {
+    fn probe(
+        &self,
+        lattice: &mut Lattice,
+        numbers: &[u32],
+        ask: impl Fn(&Probe, u32, usize, usize) -> Probe + Sync,
+    ) {
         lattice.resize(self.size.0, self.size.1);
         let columns = lattice.columns;
         let mut probes = std::mem::take(&mut lattice.probes);

@@ -17,11 +17,8 @@ pub(crate) fn decode_srgb(byte: u8) -> f32 {
 
 /// Linear light in 0..1 to the sRGB value in 0..255, not yet rounded.
 fn encode_srgb(light: f32) -> f32 {
-    let c = if light <= 0.003_130_8 {
-        light * 12.92
-    } else {
-        1.055 * light.powf(1.0 / 2.4) - 0.055
-    };
+    let c =
+        if light <= 0.003_130_8 { light * 12.92 } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 };
     c.clamp(0.0, 1.0) * 255.0
 }
 

@@ -32,7 +32,14 @@ impl Mesh {
 
     /// A grid of `nu` by `nv` cells over `place(u, v)`, u and v in 0..1; the normal is on the side
     /// of ∂v × ∂u times `side`.
-    fn sheet(&mut self, nu: usize, nv: usize, side: f32, place: impl Fn(f32, f32) -> Vec3, uv: impl Fn(f32, f32) -> [f32; 2]) {
+    fn sheet(
+        &mut self,
+        nu: usize,
+        nv: usize,
+        side: f32,
+        place: impl Fn(f32, f32) -> Vec3,
+        uv: impl Fn(f32, f32) -> [f32; 2],
+    ) {
         let base = self.vertices.len();
         for j in 0..=nv {
             for i in 0..=nu {
@@ -98,7 +105,13 @@ impl Book {
         for (k, side) in [-1.0_f32, 1.0].into_iter().enumerate() {
             let thickness = BLOCKS[k];
             let u_of = move |u: f32| if side < 0.0 { 1.0 - u } else { u };
-            book.tops[k].sheet(STEPS, 6, side, |u, v| top(side, thickness, u * u.abs().sqrt(), z_of(v)), |u, v| [u_of(u * u.sqrt()), v]);
+            book.tops[k].sheet(
+                STEPS,
+                6,
+                side,
+                |u, v| top(side, thickness, u * u.abs().sqrt(), z_of(v)),
+                |u, v| [u_of(u * u.sqrt()), v],
+            );
             book.edges[k] = cut_edges(side, thickness);
         }
         let half = LEAF * 0.5;
@@ -108,8 +121,20 @@ impl Book {
             let dv = leaf(turned, u, v + e) - leaf(turned, u, v - e);
             dv.cross(du).normalize_or(Vec3::Y)
         };
-        book.recto.sheet(STEPS, 14, 1.0, |u, v| leaf(turned, u, v) + normal(u, v) * half, |u, v| [u, v]);
-        book.verso.sheet(STEPS, 14, -1.0, |u, v| leaf(turned, u, v) - normal(u, v) * half, |u, v| [1.0 - u, v]);
+        book.recto.sheet(
+            STEPS,
+            14,
+            1.0,
+            |u, v| leaf(turned, u, v) + normal(u, v) * half,
+            |u, v| [u, v],
+        );
+        book.verso.sheet(
+            STEPS,
+            14,
+            -1.0,
+            |u, v| leaf(turned, u, v) - normal(u, v) * half,
+            |u, v| [1.0 - u, v],
+        );
         for (v, _) in [(0.0, ()), (1.0, ())] {
             let place = |u: f32, w: f32| leaf(turned, u, v) + normal(u, v) * (LEAF * (w - 0.5));
             book.rim.sheet(STEPS, 1, if v > 0.5 { 1.0 } else { -1.0 }, place, |u, w| [u, w]);
@@ -121,7 +146,11 @@ impl Book {
 
     /// The parts with their materials; `pages` are left page, recto, verso, right page.
     pub(crate) fn patches<'a>(&'a self, pages: &'a [Texture]) -> Vec<Patch<'a>> {
-        let patch = |mesh: &'a Mesh, material| Patch { vertices: &mesh.vertices, indices: &mesh.indices, material };
+        let patch = |mesh: &'a Mesh, material| Patch {
+            vertices: &mesh.vertices,
+            indices: &mesh.indices,
+            material,
+        };
         let block = |page: &'a Texture| Material::paper(Some(page), None, f32::INFINITY);
         let edges = |k: usize| Material::PageEdges { leaves: BLOCKS[k] / LEAF, tint: PAPER_TINT };
         let cloth = Material::Board { colour: Vec3::new(0.115, 0.022, 0.020), roughness: 0.75 };
@@ -174,7 +203,8 @@ fn cut_edges(side: f32, thickness: f32) -> Mesh {
         };
         mesh.sheet(STEPS, 2, -side * out, place, |u, w| [u, w]);
     }
-    let fore = move |w: f32, v: f32| foot(1.0).lerp(top(side, thickness, 1.0, 0.0), w) + Vec3::Z * z_of(v);
+    let fore =
+        move |w: f32, v: f32| foot(1.0).lerp(top(side, thickness, 1.0, 0.0), w) + Vec3::Z * z_of(v);
     mesh.sheet(2, 8, -side, fore, |w, v| [v, w]);
     mesh
 }

@@ -26,7 +26,10 @@ fn main() -> Result<(), Failure> {
         args.drain(i..(i + 2).min(args.len()));
         PathBuf::from(out)
     });
-    let only = args.iter().position(|a| a == "--view").map(|i| args.drain(i..(i + 2).min(args.len())).next_back());
+    let only = args
+        .iter()
+        .position(|a| a == "--view")
+        .map(|i| args.drain(i..(i + 2).min(args.len())).next_back());
     let only = only.flatten().unwrap_or_default();
     let out = PathBuf::from(args.first().map_or("still_life", String::as_str));
     let pages = pages(args.get(1).map(Path::new))?;
@@ -109,6 +112,11 @@ fn animate(renderer: &mut Renderer, pages: &[Texture], file: &Path) -> Result<()
     writer.finish()?;
     let size = std::fs::metadata(file)?.len() / 1000;
     let ms = |d: Duration| d.as_secs_f64() * 1e3 / 90.0;
-    println!("{}: {size} kB, a frame drawn in {:.0} ms and written in {:.0} ms", file.display(), ms(drawing), ms(writing));
+    println!(
+        "{}: {size} kB, a frame drawn in {:.0} ms and written in {:.0} ms",
+        file.display(),
+        ms(drawing),
+        ms(writing)
+    );
     Ok(())
 }

@@ -96,7 +96,9 @@ fn glyph(ink: &mut [f32], columns: [u8; 5], x: f32, y: f32, dot: f32) {
 }
 
 fn blot(ink: &mut [f32], cx: f32, cy: f32, radius: f32) {
-    let span = |c: f32, n: usize| ((c - radius - 1.0).max(0.0) as usize, ((c + radius + 1.0) as usize).min(n - 1));
+    let span = |c: f32, n: usize| {
+        ((c - radius - 1.0).max(0.0) as usize, ((c + radius + 1.0) as usize).min(n - 1))
+    };
     let ((x0, x1), (y0, y1)) = (span(cx, WIDTH), span(cy, HEIGHT));
     for y in y0..=y1 {
         for x in x0..=x1 {

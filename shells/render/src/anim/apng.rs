@@ -24,7 +24,11 @@ pub(super) struct Apng {
 }
 
 impl Apng {
-    pub(super) fn create(mut file: BufWriter<File>, width: u32, height: u32) -> Result<Self, AnimError> {
+    pub(super) fn create(
+        mut file: BufWriter<File>,
+        width: u32,
+        height: u32,
+    ) -> Result<Self, AnimError> {
         let mut header = Vec::from(width.to_be_bytes());
         header.extend(height.to_be_bytes());
         // Eight bits, RGB, and the only compression, filter and interlace methods there are or we need.

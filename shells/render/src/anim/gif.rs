@@ -30,8 +30,13 @@ impl std::fmt::Debug for Gif {
 }
 
 impl Gif {
-    pub(super) fn create(file: BufWriter<File>, width: u32, height: u32) -> Result<Self, AnimError> {
-        let mut encoder = gif::Encoder::new(file, width as u16, height as u16, &[]).map_err(|e| failed(&e))?;
+    pub(super) fn create(
+        file: BufWriter<File>,
+        width: u32,
+        height: u32,
+    ) -> Result<Self, AnimError> {
+        let mut encoder =
+            gif::Encoder::new(file, width as u16, height as u16, &[]).map_err(|e| failed(&e))?;
         encoder.set_repeat(gif::Repeat::Infinite).map_err(|e| failed(&e))?;
         Ok(Self { encoder: Some(encoder) })
     }

@@ -106,7 +106,16 @@ impl Writer {
             None => Box::new(folder::Folder::create(part.make_folder()?, width, height)),
         };
         let size = (width as usize, height as usize);
-        Ok(Self { size, clock: Clock { fps }, film, part, last: Vec::new(), open: None, late: None, frames: 0 })
+        Ok(Self {
+            size,
+            clock: Clock { fps },
+            film,
+            part,
+            last: Vec::new(),
+            open: None,
+            late: None,
+            frames: 0,
+        })
     }
 
     /// Adds a frame.
@@ -123,7 +132,9 @@ impl Writer {
         self.late = None;
         let start = self.open.as_ref().map(|shot| shot.from);
         match start {
-            Some(start) if !self.film.lasts(self.clock, start, self.frames) => self.late = Some(frame.to_vec()),
+            Some(start) if !self.film.lasts(self.clock, start, self.frames) => {
+                self.late = Some(frame.to_vec())
+            }
             _ => self.take(frame)?,
         }
         self.frames += 1;
@@ -143,7 +154,11 @@ impl Writer {
     /// [`AnimError::Empty`] without a frame, [`AnimError::Io`], [`AnimError::Encoder`].
     pub fn finish(mut self) -> Result<(), AnimError> {
         if let Some(frame) = self.late.take() {
-            self.frames -= 1;
+            // The last frame is what remains: the one before it is given its time first.
+            let start = self.open.as_ref().map_or(0, |shot| shot.from);
+            while !self.film.lasts(self.clock, start, self.frames) {
+                self.frames += 1;
+            }
             self.take(&frame)?;
             self.frames += 1;
         }
@@ -170,7 +185,14 @@ impl Writer {
         let same = rect.unchanged(&self.last, frame, width, slack);
         let pixels = rect.crop(frame, width);
         self.keep_shown(frame, rect, &same);
-        self.open = Some(Shot { rect, pixels, same, from: self.frames, to: self.frames, clock: self.clock });
+        self.open = Some(Shot {
+            rect,
+            pixels,
+            same,
+            from: self.frames,
+            to: self.frames,
+            clock: self.clock,
+        });
         Ok(())
     }
 

@@ -30,7 +30,9 @@ impl Palette {
         let mut boxes = vec![Box_::new(used, &counts)];
         while boxes.len() < most {
             let widest = (0..boxes.len()).max_by_key(|&i| boxes[i].urgency());
-            let Some(halves) = widest.and_then(|i| boxes[i].split(&counts).map(|h| (i, h))) else { break };
+            let Some(halves) = widest.and_then(|i| boxes[i].split(&counts).map(|h| (i, h))) else {
+                break;
+            };
             let (i, (low, high)) = halves;
             boxes[i] = low;
             boxes.push(high);
@@ -76,7 +78,11 @@ impl Box_ {
 
     /// How much it needs to be split: wide and not too rarely seen.
     fn urgency(&self) -> u64 {
-        if self.cells.len() < 2 { 0 } else { u64::from(self.widest().1).pow(2) * (1 + self.weight.isqrt()) }
+        if self.cells.len() < 2 {
+            0
+        } else {
+            u64::from(self.widest().1).pow(2) * (1 + self.weight.isqrt())
+        }
     }
 
     /// Two halves of about equal weight; `None` if there is only one cell.
@@ -99,7 +105,11 @@ impl Box_ {
 
     fn mean(&self, counts: &[u32]) -> [u8; 3] {
         std::array::from_fn(|axis| {
-            let sum: u64 = self.cells.iter().map(|&c| u64::from(counts[c as usize]) * u64::from(place(c)[axis])).sum();
+            let sum: u64 = self
+                .cells
+                .iter()
+                .map(|&c| u64::from(counts[c as usize]) * u64::from(place(c)[axis]))
+                .sum();
             let middle = sum as f32 / self.weight.max(1) as f32 + 0.5;
             (middle * (1 << (8 - BITS)) as f32).min(255.0) as u8
         })

@@ -50,7 +50,8 @@ impl Rect {
     pub(super) fn changed(old: &[u8], new: &[u8], width: usize, slack: u8) -> Option<Self> {
         let (mut left, mut right) = (width, 0);
         let (mut top, mut bottom) = (usize::MAX, 0);
-        for (y, (a, b)) in old.chunks_exact(width * 3).zip(new.chunks_exact(width * 3)).enumerate() {
+        for (y, (a, b)) in old.chunks_exact(width * 3).zip(new.chunks_exact(width * 3)).enumerate()
+        {
             if a == b {
                 continue;
             }
@@ -93,7 +94,10 @@ impl Rect {
     }
 
     /// Byte range of each row.
-    pub(super) fn rows(&self, width: usize) -> impl Iterator<Item = std::ops::Range<usize>> + use<> {
+    pub(super) fn rows(
+        &self,
+        width: usize,
+    ) -> impl Iterator<Item = std::ops::Range<usize>> + use<> {
         let Self { x, y, width: w, height } = *self;
         (y..y + height).map(move |row| (row * width + x) * 3..(row * width + x + w) * 3)
     }

@@ -30,7 +30,11 @@ pub(super) struct Webp {
 }
 
 impl Webp {
-    pub(super) fn create(mut file: BufWriter<File>, width: u32, height: u32) -> Result<Self, AnimError> {
+    pub(super) fn create(
+        mut file: BufWriter<File>,
+        width: u32,
+        height: u32,
+    ) -> Result<Self, AnimError> {
         let mut head = Vec::from(*b"RIFF\0\0\0\0WEBPVP8X");
         head.extend(10_u32.to_le_bytes());
         // Flags: animation.
@@ -48,7 +52,8 @@ impl Webp {
     fn add(&mut self, shot: &Shot, picture: &[u8]) -> io::Result<()> {
         let mut head = Vec::from(*b"ANMF");
         head.extend((16 + picture.len() as u32).to_le_bytes());
-        for number in [shot.rect.x / 2, shot.rect.y / 2, shot.rect.width - 1, shot.rect.height - 1] {
+        for number in [shot.rect.x / 2, shot.rect.y / 2, shot.rect.width - 1, shot.rect.height - 1]
+        {
             head.extend(three(number));
         }
         head.extend(three(shot.lasts(1000) as usize));
@@ -71,8 +76,10 @@ impl Film for Webp {
         let rgba = shot.pixels.chunks_exact(3).flat_map(|p| [p[0], p[1], p[2], 255]).collect();
         let picture = ImageBuffer { width: shot.rect.width, height: shot.rect.height, rgba };
         let config = LossyEncodingConfig { quality: QUALITY, method: METHOD, ..Default::default() };
-        let file = webp_rust::encode_lossy_with_config(&picture, &config, None).map_err(|e| failed(&e))?;
-        let chunk = picture_chunk(&file).ok_or_else(|| failed(&"no picture in the encoder's answer"))?;
+        let file =
+            webp_rust::encode_lossy_with_config(&picture, &config, None).map_err(|e| failed(&e))?;
+        let chunk =
+            picture_chunk(&file).ok_or_else(|| failed(&"no picture in the encoder's answer"))?;
         said(self.add(shot, chunk))
     }
 

@@ -58,8 +58,19 @@ pub enum Material<'a> {
 impl Material<'_> {
     /// Paper of a usual book: a little warm, rough, a quarter of the light passes.
     #[must_use]
-    pub fn paper<'a>(front: Option<&'a Texture>, back: Option<&'a Texture>, thickness_m: f32) -> Material<'a> {
-        Material::Paper { front, back, thickness_m, alpha: PAPER_ALPHA, tint: PAPER_TINT, roughness: 0.8 }
+    pub fn paper<'a>(
+        front: Option<&'a Texture>,
+        back: Option<&'a Texture>,
+        thickness_m: f32,
+    ) -> Material<'a> {
+        Material::Paper {
+            front,
+            back,
+            thickness_m,
+            alpha: PAPER_ALPHA,
+            tint: PAPER_TINT,
+            roughness: 0.8,
+        }
     }
 
     /// Whether the surface keeps light from others.
@@ -96,8 +107,12 @@ impl Material<'_> {
                 };
                 Optics { albedo, through: tint * albedo * reverse }
             }
-            Material::PageEdges { leaves, tint } => Optics::solid(edges::colour(leaves, tint, &spot.foot)),
-            Material::Board { colour, .. } => Optics::solid(colour * noise::cloth(spot.position, spot.pixel_m)),
+            Material::PageEdges { leaves, tint } => {
+                Optics::solid(edges::colour(leaves, tint, &spot.foot))
+            }
+            Material::Board { colour, .. } => {
+                Optics::solid(colour * noise::cloth(spot.position, spot.pixel_m))
+            }
             Material::Table { colour, grain } => Optics::solid(colour * table::shade(grain, spot)),
         }
     }

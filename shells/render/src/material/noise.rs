@@ -40,8 +40,11 @@ pub(super) fn survives(period: f32, pixel: f32) -> f32 {
 pub(super) fn cloth(position: Vec3, pixel_m: f32) -> f32 {
     const THREAD_M: f32 = 0.0012;
     let (x, z) = (position.x + position.y, position.z + position.y);
-    let weave = (x * (std::f32::consts::TAU / THREAD_M)).sin() * (z * (std::f32::consts::TAU / THREAD_M)).sin();
+    let weave = (x * (std::f32::consts::TAU / THREAD_M)).sin()
+        * (z * (std::f32::consts::TAU / THREAD_M)).sin();
     let slub = value(x * 900.0, z * 160.0) + value(x * 160.0 + 40.0, z * 900.0) - 1.0;
     let worn = value(x * 35.0, z * 35.0) - 0.5;
-    1.0 + 0.10 * survives(THREAD_M, pixel_m) * weave + 0.16 * survives(0.0022, pixel_m) * slub + 0.08 * worn
+    1.0 + 0.10 * survives(THREAD_M, pixel_m) * weave
+        + 0.16 * survives(0.0022, pixel_m) * slub
+        + 0.08 * worn
 }

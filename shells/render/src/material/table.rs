@@ -7,8 +7,8 @@ use std::sync::LazyLock;
 
 use glam::{Vec2, Vec3};
 
-use super::noise::value;
 use super::Spot;
+use super::noise::value;
 use crate::fast::floor;
 use crate::texture::Texture;
 
@@ -47,7 +47,9 @@ fn draw() -> Option<Texture> {
     let mut rgba = Vec::with_capacity((SIZE.0 * SIZE.1 * 4) as usize);
     for y in 0..SIZE.1 {
         for x in 0..SIZE.0 {
-            let place = Vec2::new((x as f32 + 0.5) / SIZE.0 as f32, (y as f32 + 0.5) / SIZE.1 as f32) * PATCH_M;
+            let place =
+                Vec2::new((x as f32 + 0.5) / SIZE.0 as f32, (y as f32 + 0.5) / SIZE.1 as f32)
+                    * PATCH_M;
             let light = wood(place);
             rgba.extend(light.to_array().map(|c| crate::tone::encode_byte(c * 0.25)));
             rgba.push(255);
@@ -61,7 +63,9 @@ fn wood(place: Vec2) -> Vec3 {
     let (x, z) = (place.x, place.y);
     let sway = 0.016 * (value(x * 2.3, z * 7.0) - 0.5) + 0.005 * (value(x * 7.0, z * 24.0) - 0.5);
     let z = z + sway;
-    let layer = |per_m: f32, stretch: f32, seed: f32| value(x * per_m / stretch + seed, z * per_m + seed) - 0.5;
+    let layer = |per_m: f32, stretch: f32, seed: f32| {
+        value(x * per_m / stretch + seed, z * per_m + seed) - 0.5
+    };
     let broad = layer(14.0, 9.0, 3.0);
     let rings = layer(70.0, 34.0, 7.0);
     let fibres = layer(260.0, 60.0, 11.0) + 0.7 * layer(700.0, 90.0, 29.0);

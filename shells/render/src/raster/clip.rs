@@ -43,7 +43,11 @@ pub(super) fn near(triangle: &[Placed; 3]) -> ([Placed; 4], usize) {
         }
         if (da >= 0.0) != (db >= 0.0) {
             // Always cut from the visible end, so that neighbours cut their shared edge alike.
-            push(if da >= 0.0 { a.towards(b, da / (da - db)) } else { b.towards(a, db / (db - da)) });
+            push(if da >= 0.0 {
+                a.towards(b, da / (da - db))
+            } else {
+                b.towards(a, db / (db - da))
+            });
         }
     }
     (out, n.min(4))

@@ -56,7 +56,13 @@ struct Tile<'a> {
 
 /// Fills band `band` of the picture: `numbers` gets, for every pixel row by row and every sample,
 /// the triangle seen there or [`NONE`].
-pub(crate) fn draw_band<const N: usize>(geometry: &Geometry, grid: &Grid<N>, band: usize, width: usize, numbers: &mut [u32]) {
+pub(crate) fn draw_band<const N: usize>(
+    geometry: &Geometry,
+    grid: &Grid<N>,
+    band: usize,
+    width: usize,
+    numbers: &mut [u32],
+) {
     numbers.fill(NONE);
     let height = numbers.len() / (width * N);
     let mut nearness = vec![0.0_f32; TILE_WIDTH * TILE_HEIGHT * N];
@@ -138,7 +144,12 @@ fn fill<const N: usize>(tile: &mut Tile<'_>, triangle: &Triangle, number: u32, g
             } else if (0..3).all(|e| at[e] + walks[e].most >= 0) {
                 let outside = f32::NEG_INFINITY;
                 let covered = |s: usize| (0..3).all(|e| at[e] + walks[e].samples[s] >= 0);
-                nearest(depth, out, |s| if covered(s) { base + offsets[s] } else { outside }, number);
+                nearest(
+                    depth,
+                    out,
+                    |s| if covered(s) { base + offsets[s] } else { outside },
+                    number,
+                );
             }
             for e in 0..3 {
                 at[e] += walks[e].right;

@@ -41,7 +41,12 @@ pub(crate) struct Geometry {
 
 impl Geometry {
     /// Takes all patches in for a picture of this size.
-    pub(crate) fn gather(&mut self, patches: &[Patch<'_>], clip_from_world: &Mat4, size: (usize, usize)) {
+    pub(crate) fn gather(
+        &mut self,
+        patches: &[Patch<'_>],
+        clip_from_world: &Mat4,
+        size: (usize, usize),
+    ) {
         self.reset(size);
         for (i, patch) in patches.iter().enumerate() {
             self.take(i as u32, patch, clip_from_world);

@@ -21,7 +21,9 @@ impl Casters {
             self.points.extend(patch.vertices.iter().map(|v| Vec3::from(v.position)));
             for three in patch.indices.chunks_exact(3) {
                 let at = [three[0], three[1], three[2]].map(usize::from);
-                let sound = |&i: &usize| patch.vertices.get(i).is_some_and(|v| v.position.iter().all(|c| c.is_finite()));
+                let sound = |&i: &usize| {
+                    patch.vertices.get(i).is_some_and(|v| v.position.iter().all(|c| c.is_finite()))
+                };
                 if at.iter().all(sound) {
                     self.triangles.push(at.map(|i| base + i as u32));
                 }
@@ -32,7 +34,9 @@ impl Casters {
     /// The used points' extent along three axes: least and most.
     pub(crate) fn extent(&self, along: impl Fn(Vec3) -> Vec3) -> Option<(Vec3, Vec3)> {
         let used = self.triangles.iter().flatten().map(|&i| along(self.points[i as usize]));
-        used.fold(None, |box_, p| Some(box_.map_or((p, p), |(low, high): (Vec3, Vec3)| (low.min(p), high.max(p)))))
+        used.fold(None, |box_, p| {
+            Some(box_.map_or((p, p), |(low, high): (Vec3, Vec3)| (low.min(p), high.max(p))))
+        })
     }
 }
 

@@ -59,7 +59,11 @@ impl Sides {
             }
         }
         let slope = |a: Vec3, b: Vec3| (b.x - a.x) / (b.y - a.y).max(1e-12);
-        Self { low: p[0], middle: p[1], slopes: [slope(p[0], p[2]), slope(p[0], p[1]), slope(p[1], p[2])] }
+        Self {
+            low: p[0],
+            middle: p[1],
+            slopes: [slope(p[0], p[2]), slope(p[0], p[1]), slope(p[1], p[2])],
+        }
     }
 
     /// Where row `y` enters and leaves the triangle.

@@ -130,7 +130,10 @@ impl Sky {
             }
         }
         let floor = |up: f32| self.floor * DIRECTIONS as f32 * 0.25 * (1.0 - up);
-        SkyShare { front: front.share(floor(place.normal.y)), back: back.share(floor(-place.normal.y)) }
+        SkyShare {
+            front: front.share(floor(place.normal.y)),
+            back: back.share(floor(-place.normal.y)),
+        }
     }
 }
 
@@ -159,7 +162,11 @@ impl Sum {
 
 impl View {
     fn project(&self, p: Vec3) -> Vec3 {
-        Vec3::new(p.dot(self.right) + self.centre[0], p.dot(self.up) + self.centre[1], p.dot(self.towards))
+        Vec3::new(
+            p.dot(self.right) + self.centre[0],
+            p.dot(self.up) + self.centre[1],
+            p.dot(self.towards),
+        )
     }
 
     /// What stands out by less than a texel hides only a part: a hard answer would show the steps

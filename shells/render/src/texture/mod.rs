@@ -55,8 +55,10 @@ impl Texture {
         if needed == 0 || rgba.len() != needed {
             return Err(RenderError::Texture { width, height, needed, got: rgba.len() });
         }
-        let roots: [u8; 256] = std::array::from_fn(|i| (decode_srgb(i as u8).sqrt() * 255.0 + 0.5) as u8);
-        let texels = rgba.chunks_exact(4).map(|t| over_white(t).map(|c| roots[usize::from(c)])).collect();
+        let roots: [u8; 256] =
+            std::array::from_fn(|i| (decode_srgb(i as u8).sqrt() * 255.0 + 0.5) as u8);
+        let texels =
+            rgba.chunks_exact(4).map(|t| over_white(t).map(|c| roots[usize::from(c)])).collect();
         let first = Level { width: width as usize, height: height as usize, texels };
         Ok(Self { levels: mip::chain(first) })
     }

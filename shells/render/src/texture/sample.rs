@@ -40,7 +40,8 @@ impl Texture {
     pub(crate) fn sample(&self, foot: &Footprint) -> Vec3 {
         let size = Vec2::new(self.levels[0].width as f32, self.levels[0].height as f32);
         let (dx, dy) = (foot.dx * size, foot.dy * size);
-        let (long, short) = if dx.length_squared() > dy.length_squared() { (dx, dy) } else { (dy, dx) };
+        let (long, short) =
+            if dx.length_squared() > dy.length_squared() { (dx, dy) } else { (dy, dx) };
         let (l, s) = (long.length_squared().sqrt(), short.length_squared().sqrt().max(1e-6));
         if !(l < 1e9 && foot.uv.is_finite()) {
             return Vec3::ONE;
