@@ -26,6 +26,7 @@ fn excess(report: &StepReport, settings: &Settings, steps: u32) -> Option<String
         ("chain solves", report.chain_solves, substeps * 4),
         ("nodes pushed", report.pushed, substeps * NODES),
         ("nudges", report.nudged, steps),
+        ("forced rests", report.forced_rests, steps),
     ];
     let over = bounds.into_iter().find(|(_, found, most)| found > most);
     over.map(|(name, found, most)| format!("{found} {name}, at most {most}"))

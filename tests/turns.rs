@@ -97,6 +97,9 @@ fn faults(seen: &Watch, page: u32) -> Vec<String> {
     if seen.rest.is_none() {
         all.push("not at rest four seconds after it was let go".into());
     }
+    if seen.work.forced_rests > 0 {
+        all.push("had to be laid to rest".into());
+    }
     if matches!(seen.last, StepStatus::Held | StepStatus::Recovered) {
         all.push(format!("ends {}", seen.last.name()));
     }

@@ -126,7 +126,7 @@ pub struct Row {
 
 impl Row {
     /// Headings over [`Row`]'s columns.
-    pub const HEAD: &'static str = "case                                     real  end              rest s  mean max   worst   gap  sunk  worst status   kept  cuts clamp refus";
+    pub const HEAD: &'static str = "case                                     real  end              rest s  mean max   worst   gap  sunk  worst status   kept  cuts clamp refus forced";
 
     fn end(&self) -> String {
         let page = |p: u32| format!("page {p}");
@@ -156,6 +156,7 @@ impl core::fmt::Display for Row {
             self.worst_status().name()
         )?;
         write!(f, " {:4} {:5} {:5} {:5}", s.kept(), w.cuts, w.clamped, w.refused)?;
+        write!(f, " {:6}", w.forced_rests)?;
         self.faults.iter().try_for_each(|what| write!(f, "  <- {what}"))
     }
 }

@@ -112,7 +112,7 @@ impl Watch {
     fn sinks<R: Real, G: Grid>(&self, book: &Book<R, G>) -> Option<String> {
         let kept = matches!(self.last, StepStatus::Held | StepStatus::Recovered);
         let (depth, half) = (deepest(book), book.binding().half_held().wide());
-        (!kept && depth > half)
+        (!kept && !self.folded && depth > half)
             .then(|| format!("{depth:.4} deep in a block, half a leaf is {half:.4}"))
     }
 

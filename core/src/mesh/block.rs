@@ -40,7 +40,7 @@ pub(super) fn write<R: Real, G: Grid>(book: &Book<R, G>, on_right: bool, out: &m
         let height = thickness.narrow() * (level as f32 / (LEVELS - 1) as f32);
         curve(&midline, height, &mut line);
         for (column, (share, knot)) in line.pace(last, columns::steps(last)).enumerate() {
-            prism.set(column, level, share, knot.p.xy() + end, knot.n.xy());
+            prism.set(column, level, share, knot.p.xy() + end, knot.n);
         }
     }
     prism.finish();

@@ -5,7 +5,7 @@ use super::block::half_height;
 use super::prism::{Form, Prism};
 use crate::book::Book;
 use crate::grid::Grid;
-use crate::real::{Num, Real, V2};
+use crate::real::{Num, Real, V2, V3};
 use crate::scene::Cover;
 use crate::state::strip::{BOARD, Strip};
 
@@ -60,9 +60,11 @@ pub(super) fn write<R: Real, G: Grid>(book: &Book<R, G>, out: &mut [Vertex]) {
     let bodies = [(-1.0, left), (1.0, right), (1.0, spine)];
     for (vertices, (sign, profile)) in out.chunks_exact_mut(out.len().max(3) / 3).zip(bodies) {
         let Some(mut prism) = Prism::new(form(sign), vertices) else { return };
+        let [x, y] = profile.normal.0;
+        let normal = V3([x, y, 0.0]);
         for (level, points) in [profile.below, profile.above].into_iter().enumerate() {
             for (column, p) in points.into_iter().enumerate() {
-                prism.set(column, level, column as f32, p, profile.normal);
+                prism.set(column, level, column as f32, p, normal);
             }
         }
         prism.finish();

@@ -6,7 +6,7 @@
 //! has to be moved, but a stretch longer than the last segment does not turn it round.
 
 use super::columns;
-use crate::real::{Num, V3};
+use crate::real::{Lanes, Num, Real, V3};
 use crate::scene::units::WIDTH;
 
 /// Corners of a polyline at most: those of the longest row, or of a block's curve.
@@ -19,82 +19,79 @@ pub(super) struct Knot {
     pub(super) n: V3<f32>,
 }
 
+/// A corner of a polyline and the segment that leads to it.
+#[derive(Debug, Clone, Copy)]
+struct Corner {
+    knot: Knot,
+    /// Length of the segment.
+    length: f32,
+    /// Corners offered since the one before, this one included.
+    offered: usize,
+}
+
 /// A polyline that only goes forward.
 #[derive(Debug)]
 pub(super) struct Polyline {
-    knots: [Knot; MOST],
-    /// Which of the pushed corners each is.
-    places: [u16; MOST],
+    corners: [Corner; MOST],
     count: usize,
-    /// Corners pushed, dropped ones included.
-    pushed: usize,
-    /// Direction to go on in where there are too few corners.
-    onward: V3<f32>,
+    /// Corners dropped after the last one kept.
+    dropped: usize,
 }
 
 impl Polyline {
     pub(super) fn new() -> Self {
-        let nothing = Knot { p: V3([0.0; 3]), n: V3([0.0; 3]) };
-        Self {
-            knots: [nothing; MOST],
-            places: [0; MOST],
-            count: 0,
-            pushed: 0,
-            onward: V3([1.0, 0.0, 0.0]),
-        }
+        let knot = Knot { p: V3([0.0; 3]), n: V3([0.0; 3]) };
+        let corner = Corner { knot, length: 0.0, offered: 1 };
+        Self { corners: [corner; MOST], count: 0, dropped: 0 }
     }
 
     pub(super) fn clear(&mut self) {
         self.count = 0;
-        self.pushed = 0;
+        self.dropped = 0;
+    }
+
+    fn corners(&self) -> &[Corner] {
+        self.corners.get(..self.count).unwrap_or_default()
     }
 
     /// Adds a corner unless it lies behind the last one, seen along `forward`, or ahead by less than the
     /// share `least` of `forward`: on the hollow side of a sharp bend a thick offset stops or runs back.
     pub(super) fn push(&mut self, knot: Knot, forward: V3<f32>, least: f32) {
-        let place = self.pushed;
-        self.pushed += 1;
-        let last = self.count.checked_sub(1).and_then(|n| self.knots.get(n));
-        let least = least * forward.norm_sq();
-        if last.is_some_and(|last| (knot.p - last.p).dot(forward) <= least) {
-            return;
+        let mut length = 0.0;
+        if let Some(last) = self.corners().last() {
+            let way = knot.p - last.knot.p;
+            if way.dot(forward) <= least * forward.norm_sq() {
+                self.dropped += 1;
+                return;
+            }
+            length = norm(way);
         }
-        if let (Some(slot), Some(mark)) =
-            (self.knots.get_mut(self.count), self.places.get_mut(self.count))
-        {
-            *slot = knot;
-            *mark = place as u16;
+        let corner = Corner { knot, length, offered: self.dropped + 1 };
+        if let Some(slot) = self.corners.get_mut(self.count) {
+            *slot = corner;
             self.count += 1;
-            self.onward = forward;
+            self.dropped = 0;
         }
     }
 
-    fn corners(&self) -> impl Iterator<Item = (V3<f32>, usize)> + Clone {
-        let places = self.places.iter().map(|&n| usize::from(n));
-        self.knots.iter().map(|k| k.p).zip(places).take(self.count)
-    }
-
-    /// The way from corner to corner as pushed, where those dropped share what lies between their
-    /// neighbours; `tail` for those dropped at the end.
-    fn ways(&self, tail: f32) -> impl Iterator<Item = f32> + Clone {
-        let last = self.corners().last().map_or(0, |(_, n)| n);
-        let pairs = self.corners().zip(self.corners().skip(1));
-        let inner = pairs.flat_map(|((a, m), (b, n))| {
-            core::iter::repeat_n((b - a).norm() / (n - m).max(1) as f32, n - m)
-        });
-        inner.chain(core::iter::repeat_n(tail, self.pushed.saturating_sub(last + 1)))
-    }
-
-    /// The vertices of a row that has a corner for each: they stay near their corners, moved along the
-    /// row by a share that grows with the distance from the spine.
+    /// The vertices of a row that was offered a corner for each: they stay near their corners, moved along
+    /// the row by a share that grows with the distance from the spine. Corners dropped on the way share
+    /// what lies between their neighbours; those at the end get `tail` each.
     pub(super) fn fitted(&self, tail: f32) -> impl Iterator<Item = (f32, Knot)> {
-        let length = self.ways(tail).fold(0.0, |sum, way| sum + way);
+        let inner = self.corners().iter().skip(1);
+        let length = inner.clone().fold(tail * self.dropped as f32, |sum, c| sum + c.length);
         let scale = WIDTH as f32 / length.larger(1e-6);
-        let steps = core::iter::once(0.0).chain(self.ways(tail).map(move |way| way * scale));
-        self.pace(self.pushed.saturating_sub(1), steps)
+        let steps = inner
+            .clone()
+            .flat_map(|c| core::iter::repeat_n(c.length / c.offered as f32, c.offered))
+            .chain(core::iter::repeat_n(tail, self.dropped))
+            .map(move |step| step * scale);
+        let columns = inner.fold(self.dropped, |sum, c| sum + c.offered);
+        self.pace(columns, core::iter::once(0.0).chain(steps))
     }
 
-    /// The vertices of a row at given steps: share of the width at each, and the place.
+    /// The vertices of a row at given steps: share of the width at each, and the place; the normal is not
+    /// of unit length.
     ///
     /// The straight distances between them add up to the width of a page, whatever the polyline's length.
     pub(super) fn pace(
@@ -102,23 +99,21 @@ impl Polyline {
         columns: usize,
         steps: impl Iterator<Item = f32>,
     ) -> impl Iterator<Item = (f32, Knot)> {
-        let knots = self.knots.get(..self.count).unwrap_or_default();
-        let nothing = Knot { p: V3([0.0; 3]), n: V3([0.0; 3]) };
-        let here = knots.first().copied().unwrap_or(nothing);
-        let mut walk = Walk { knots, here, onward: self.onward };
-        let mut gone = 0.0;
+        let mut walk = Walk { corners: self.corners(), gone: 0.0 };
+        let mut sum = 0.0;
+        let mut from = walk.step(0.0).p;
         steps.enumerate().map(move |(n, step)| {
-            let from = walk.here;
             let mut to = walk.step(step);
-            let chord = (to.p - from.p).norm();
+            let chord = norm(to.p - from);
             if n == columns {
-                let rest = WIDTH as f32 - gone;
-                to.p = from.p + (to.p - from.p) * (rest / chord.larger(1e-9));
-                gone = WIDTH as f32;
+                let rest = WIDTH as f32 - sum;
+                to.p = from + (to.p - from) * (rest / chord.larger(1e-9));
+                sum = WIDTH as f32;
             } else {
-                gone += chord;
+                sum += chord;
             }
-            (gone / WIDTH as f32, to)
+            from = to.p;
+            (sum / WIDTH as f32, to)
         })
     }
 }
@@ -127,37 +122,56 @@ impl Polyline {
 #[derive(Debug)]
 struct Walk<'a> {
     /// The corners from the last one passed on.
-    knots: &'a [Knot],
-    here: Knot,
-    onward: V3<f32>,
+    corners: &'a [Corner],
+    /// How far beyond it.
+    gone: f32,
 }
 
 impl Walk<'_> {
-    /// Goes on by `step`, measured along the polyline.
+    /// Goes on by `step`, measured along the polyline; straight on beyond its end.
     fn step(&mut self, step: f32) -> Knot {
-        let mut left = step;
-        while let [_, next, ..] = self.knots {
-            let away = next.p - self.here.p;
-            let length = away.norm();
-            if left <= length {
-                let share = left / length.larger(1e-9);
-                let n = self.here.n + (next.n - self.here.n) * share;
-                self.here = Knot { p: self.here.p + away * share, n: unit(n, next.n) };
-                return self.here;
+        self.gone += step;
+        while let [_, next, rest @ ..] = self.corners {
+            if self.gone <= next.length || rest.is_empty() {
+                break;
             }
-            left -= length;
-            self.onward = unit(away, self.onward);
-            self.here = *next;
-            self.knots = self.knots.get(1..).unwrap_or_default();
+            self.gone -= next.length;
+            self.corners = self.corners.get(1..).unwrap_or_default();
         }
-        self.here.p = self.here.p + self.onward * left;
-        self.here
+        match self.corners {
+            [from, to, ..] => {
+                let (from, length) = (from.knot, to.length.larger(1e-12));
+                let t = self.gone / length;
+                let n = from.n + (to.knot.n - from.n) * t.smaller(1.0);
+                Knot { p: from.p + (to.knot.p - from.p) * t, n }
+            }
+            [only] => Knot { p: only.knot.p + V3([self.gone, 0.0, 0.0]), n: only.knot.n },
+            [] => Knot { p: V3([self.gone, 0.0, 0.0]), n: V3([0.0; 3]) },
+        }
     }
+}
+
+/// Square root, correctly rounded: by the vector unit where there is one, as in [`Lanes`].
+#[inline(always)]
+fn root(x: f32) -> f32 {
+    if cfg!(any(target_feature = "sse2", target_feature = "neon", target_feature = "simd128")) {
+        let eight = <<f32 as Real>::Lanes as Lanes<f32>>::all(x);
+        let [first, ..] = Lanes::array(Num::root(eight));
+        first
+    } else {
+        x.root()
+    }
+}
+
+/// Length.
+#[inline(always)]
+pub(super) fn norm(v: V3<f32>) -> f32 {
+    root(v.norm_sq())
 }
 
 /// Unit length, or `otherwise` where there is none.
 #[inline(always)]
 pub(super) fn unit(v: V3<f32>, otherwise: V3<f32>) -> V3<f32> {
     let sq = v.norm_sq();
-    if sq > 1e-16 { v * (1.0 / sq.root()) } else { otherwise }
+    if sq > 1e-16 { v * (1.0 / root(sq)) } else { otherwise }
 }

@@ -4,7 +4,7 @@
 //! all triangles around the vertex agree with.
 
 use super::Vertex;
-use super::curve::unit;
+use super::curve::{norm, unit};
 use crate::real::V3;
 
 /// Neighbours whose normals meet at less than this cosine are at a fold.
@@ -135,11 +135,16 @@ impl Net {
                 (Some(a), Some(b)) => unit(a.cross(b) * self.side, V3([0.0; 3])),
                 _ => V3([0.0; 3]),
             });
+        let agree = |sum: V3<f32>| around.iter().all(|n| n.norm_sq() == 0.0 || n.dot(sum) > 0.0);
+        let first = V3(here.normal);
+        if agree(first) {
+            return Some(first);
+        }
         let mut sum = around.iter().fold(V3([0.0; 3]), |sum, &n| sum + n);
         for _ in 0..ROUNDS {
             let mut lean = false;
             for &n in around.iter().filter(|n| n.norm_sq() > 0.0) {
-                if sum.dot(n) < AGREE * sum.norm() {
+                if sum.dot(n) < AGREE * norm(sum) {
                     sum = sum + n;
                     lean = true;
                 }
@@ -148,7 +153,6 @@ impl Net {
                 break;
             }
         }
-        let agree = around.iter().all(|n| n.norm_sq() == 0.0 || n.dot(sum) > 0.0);
-        agree.then(|| unit(sum, V3(here.normal)))
+        agree(sum).then(|| unit(sum, first))
     }
 }

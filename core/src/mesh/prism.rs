@@ -44,30 +44,32 @@ impl<'a> Prism<'a> {
         Some(Self { form, top, tail, head, outer, inner, bottom })
     }
 
-    /// Sets the point of one column and level, at share `u` of the width, with its upward normal.
-    pub(super) fn set(&mut self, column: usize, level: usize, u: f32, p: V2<f32>, n: V2<f32>) {
+    /// Sets the point of one column and level, at share `u` of the width, with its upward normal of any length.
+    pub(super) fn set(&mut self, column: usize, level: usize, u: f32, p: V2<f32>, n: V3<f32>) {
         let Form { columns, levels, sign, .. } = self.form;
         let at = column * levels + level;
         let side = [u, level as f32 / (levels - 1) as f32];
-        let (p, n) = (V2([p.0[0] * sign, p.0[1]]), V2([n.0[0] * sign, n.0[1]]));
+        let p = V2([p.0[0] * sign, p.0[1]]);
+        let [x, y, z] = n.0;
+        let n = V3([x * sign, y, z]);
+        let up = V3([0.0, 1.0, 0.0]);
         for (slots, e, z) in [(&mut *self.tail, 0, 1.0), (&mut *self.head, 1, -1.0)] {
             if let Some(slot) = slots.get_mut(at) {
                 *slot = self.form.corner(p, e, V3([0.0, 0.0, z]), side);
             }
         }
         let page = if sign > 0.0 { u } else { 1.0 - u };
-        let flat = |n: V2<f32>| V3([n.0[0], n.0[1], 0.0]);
         if level + 1 == levels {
-            self.form.pair(self.top, column, p, flat(n), |v| [page, v]);
+            self.form.pair(self.top, column, p, unit(n, up), |v| [page, v]);
         }
         if level == 0 {
-            self.form.pair(self.bottom, column, p, flat(-n), |v| [page, v]);
+            self.form.pair(self.bottom, column, p, unit(-n, -up), |v| [page, v]);
         }
         if column + 1 == columns {
-            self.form.pair(self.outer, level, p, flat(n), |v| [v, side[1]]);
+            self.form.pair(self.outer, level, p, up, |v| [v, side[1]]);
         }
         if column == 0 {
-            self.form.pair(self.inner, level, p, flat(n), |v| [v, side[1]]);
+            self.form.pair(self.inner, level, p, up, |v| [v, side[1]]);
         }
     }
 

@@ -26,7 +26,8 @@ impl Camera {
     pub(crate) fn clip_from_world(&self, aspect: f32) -> Result<Mat4, RenderError> {
         let sight = self.target - self.eye;
         let aside = sight.cross(self.up);
-        let sound = aside.is_finite() && aside.length_squared() > 1e-20;
+        let least = 1e-8 * sight.length_squared() * self.up.length_squared();
+        let sound = aside.is_finite() && aside.length_squared() > least;
         let angle = self.fov_y_rad > 1e-3 && self.fov_y_rad < 3.1;
         if !(sound && angle) {
             return Err(RenderError::Camera);

@@ -117,7 +117,8 @@ pub fn cook_torrance(n_l: f32, n_v: f32, n_h: f32, roughness: f32) -> f32 {
 ///
 /// # Accuracy
 ///
-/// A fit in closed form instead of a table; within 0.02 of the integral for roughness above 0.3.
+/// A fit in closed form instead of a table; within 0.02 of the integral where paper is (roughness 0.7
+/// to 0.9), within 0.04 at 0.5 and a flat view.
 ///
 /// # Source
 ///

@@ -133,7 +133,7 @@ impl Writer {
         let start = self.open.as_ref().map(|shot| shot.from);
         match start {
             Some(start) if !self.film.lasts(self.clock, start, self.frames) => {
-                self.late = Some(frame.to_vec())
+                self.late = Some(frame.to_vec());
             }
             _ => self.take(frame)?,
         }

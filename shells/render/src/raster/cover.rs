@@ -131,11 +131,11 @@ fn fill<const N: usize>(tile: &mut Tile<'_>, triangle: &Triangle, number: u32, g
     });
     for y in y0..=y1 {
         let start = near.at(glam::Vec2::new(x0 as f32, y as f32));
-        let row = (y - tile.y0) * TILE_WIDTH - tile.x0;
+        let row = (y - tile.y0) * TILE_WIDTH;
         let band_row = (y - tile.y0) * tile.stride;
         let mut at = walks.each_ref().map(|w| w.at);
         for x in x0..=x1 {
-            let (cell, pixel) = ((row + x) * N, (band_row + x) * N);
+            let (cell, pixel) = ((row + x - tile.x0) * N, (band_row + x) * N);
             let depth = &mut tile.nearness[cell..cell + N];
             let out = &mut tile.numbers[pixel..pixel + N];
             let base = start + near.dx * (x - x0) as f32;
