@@ -25,7 +25,11 @@ fn a_pdf_turns_into_a_webp_with_its_figures() {
     let keys: Vec<&String> = found.as_object().expect("an object").keys().collect();
     let wanted = ["committed_page", "out", "simulated", "step_us", "steps", "stretch"];
     assert_eq!(keys, wanted, "exactly these, here by letter");
-    assert_eq!((&found["committed_page"], &found["out"]), (&10.into(), &out.clone().into()), "ends");
+    assert_eq!(
+        (&found["committed_page"], &found["out"]),
+        (&10.into(), &out.clone().into()),
+        "ends"
+    );
     assert!(found["steps"].as_u64() > Some(72), "{found}");
     assert!(found["step_us"]["median"].as_f64() > Some(0.0), "{found}");
     assert!(found["step_us"]["p99"].as_f64() >= found["step_us"]["median"].as_f64(), "{found}");

@@ -143,7 +143,10 @@ fn unsound_triangles_are_left_out() {
     mesh.indices.extend([0, 1, 99]);
     mesh.vertices
         .push(dogleaf_core::mesh::Vertex { position: [f32::NAN, 0.0, 0.0], ..Default::default() });
-    mesh.indices.extend([0, 1, 4, 7]);
+    mesh.indices.extend([0, 1, 4]);
+    mesh.vertices
+        .push(dogleaf_core::mesh::Vertex { position: [1e30, 0.0, 0.0], ..Default::default() });
+    mesh.indices.extend([0, 1, 5, 7]);
     let mut renderer = Renderer::new(20, 20, 1).expect("size is sound");
     let seen = green(
         &mut renderer,
@@ -153,8 +156,8 @@ fn unsound_triangles_are_left_out() {
     );
     assert_eq!(
         renderer.stats().refused,
-        2,
-        "a wild index and a NaN; the odd index at the end is no triangle"
+        3,
+        "a wild index, a NaN and the far end of the world; the odd index at the end is no triangle"
     );
     assert!(seen[10 * 20 + 10] > 60, "the others are drawn");
 }

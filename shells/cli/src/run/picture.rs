@@ -38,7 +38,7 @@ impl Picture {
     }
 
     pub(super) fn frame(&mut self, frame: &Frame<'_>) -> Result<(), CliError> {
-        if frame.number % self.every == 0 {
+        if frame.number.is_multiple_of(self.every) {
             self.film.add(frame.sim.shot()?);
         }
         Ok(())

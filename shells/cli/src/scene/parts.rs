@@ -98,7 +98,7 @@ fn book(root: &Section<'_>) -> Result<(Body, GridName), SceneError> {
         height_m: s.number("height_m", d.height_m)?,
         pages,
         // The default place must lie inside a book shorter than the default one.
-        open_at: s.whole("open_at", d.open_at.min(pages / 3))?,
+        open_at: s.whole("open_at", if d.open_at < pages { d.open_at } else { pages / 3 })?,
         cover: s.choice("cover", d.cover, &covers)?,
         direction: s.choice("direction", d.direction, &directions)?,
     };

@@ -33,7 +33,7 @@ pub(crate) fn turn(args: &TurnArgs) -> Result<(), CliError> {
     let play = Play { book, paper, view: hand_view, fidelity: args.fidelity.into() };
     let (film, figures) = play.run(&samples)?;
     film.write(&mut look, writer)?;
-    report::print(&figures, args.json, shown(&args.out))
+    report::print(&figures, args.json, &shown(&args.out))
 }
 
 fn samples(args: &TurnArgs, desk: &Desk) -> Result<Vec<Sample>, CliError> {

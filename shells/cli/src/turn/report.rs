@@ -29,7 +29,7 @@ struct Stretch {
 }
 
 /// Prints the figures of a turn.
-pub(super) fn print(figures: &Figures, json: bool, out: String) -> Result<(), CliError> {
+pub(super) fn print(figures: &Figures, json: bool, out: &str) -> Result<(), CliError> {
     let [median, p99] = figures.step_us();
     let [max, avg_max, rms] = figures.stretch();
     let report = Report {
@@ -38,7 +38,7 @@ pub(super) fn print(figures: &Figures, json: bool, out: String) -> Result<(), Cl
         stretch: Stretch { max, avg_max, rms },
         committed_page: figures.committed,
         simulated: &figures.simulated,
-        out: &out,
+        out,
     };
     let text = if json {
         serde_json::to_string(&report).unwrap_or_default() + "\n"

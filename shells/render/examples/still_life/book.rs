@@ -183,7 +183,7 @@ fn leaf(turned: f32, u: f32, v: f32) -> Vec3 {
         let s = (i as f32 + 0.5) / steps as f32 * u;
         // Rises from the gutter, then leans over.
         let root = 0.55 * (-s * 14.0).exp() * (PI * 0.5 - middle);
-        let angle = middle + bend * (s - 0.45) * -1.0 + root;
+        let angle = middle + bend * (0.45 - s) + root;
         at += Vec3::new(angle.cos(), angle.sin(), 0.0) * length;
         let side = if at.x < 0.0 { 0 } else { 1 };
         let floor = BOARD + profile(BLOCKS[side], at.x.abs()) + 0.0003;

@@ -52,8 +52,7 @@ pub(crate) fn page(n: usize) -> (u32, u32, Vec<u8>) {
     }
     while y < HEIGHT as f32 - 170.0 {
         let mut x = if (y as usize / 10).is_multiple_of(13) { left + 50.0 } else { left };
-        loop {
-            let Some(word) = words.next() else { break };
+        for word in words.by_ref() {
             let wide = word.len() as f32 * 6.0 * DOT;
             if x + wide > right {
                 break;

@@ -20,10 +20,6 @@ impl Corner {
     fn from_vertex(v: &Vertex) -> Self {
         Self { position: v.position.into(), normal: v.normal.into(), uv: v.uv.into() }
     }
-
-    fn is_finite(&self) -> bool {
-        self.position.is_finite() && self.normal.is_finite() && self.uv.is_finite()
-    }
 }
 
 /// The frame's triangles; its lists are kept from frame to frame.
@@ -71,18 +67,14 @@ impl Geometry {
 
     fn take(&mut self, number: u32, patch: &Patch<'_>, clip_from_world: &Mat4) {
         let base = self.corners.len() as u32;
-        self.corners.extend(patch.vertices.iter().map(Corner::from_vertex));
+        self.corners.extend(patch.used().0.iter().map(Corner::from_vertex));
         let place = |c: &Corner| *clip_from_world * c.position.extend(1.0);
         let clips: Vec<Vec4> = self.corners[base as usize..].iter().map(place).collect();
-        for three in patch.indices.chunks_exact(3) {
-            let at = [three[0], three[1], three[2]].map(usize::from);
-            let sound = |&i: &usize| i < clips.len() && self.corners[base as usize + i].is_finite();
-            if !at.iter().all(sound) {
-                self.refused += 1;
-                continue;
+        for triangle in patch.triangles() {
+            match triangle {
+                Some(at) => self.add(number, at.map(|i| base + i as u32), at.map(|i| clips[i])),
+                None => self.refused += 1,
             }
-            let corners = at.map(|i| base + i as u32);
-            self.add(number, corners, at.map(|i| clips[i]));
         }
     }
 

@@ -18,16 +18,9 @@ impl Casters {
         self.triangles.clear();
         for patch in patches.iter().filter(|p| p.material.casts()) {
             let base = self.points.len() as u32;
-            self.points.extend(patch.vertices.iter().map(|v| Vec3::from(v.position)));
-            for three in patch.indices.chunks_exact(3) {
-                let at = [three[0], three[1], three[2]].map(usize::from);
-                let sound = |&i: &usize| {
-                    patch.vertices.get(i).is_some_and(|v| v.position.iter().all(|c| c.is_finite()))
-                };
-                if at.iter().all(sound) {
-                    self.triangles.push(at.map(|i| base + i as u32));
-                }
-            }
+            self.points.extend(patch.used().0.iter().map(|v| Vec3::from(v.position)));
+            let sound = patch.triangles().flatten();
+            self.triangles.extend(sound.map(|at| at.map(|i| base + i as u32)));
         }
     }
 
