@@ -77,6 +77,7 @@ fn nodes<R: Real, G: Grid>(leaf: &mut Leaf<R, G>, sides: [&Profile<R>; 2], half:
                     ]),
                 };
             }
+            let push = spine(sides, x.xy(), push);
             if push.depth.largest() > R::ZERO {
                 moved = true;
                 let shift = push.direction * push.depth;
@@ -85,6 +86,25 @@ fn nodes<R: Real, G: Grid>(leaf: &mut Leaf<R, G>, sides: [&Profile<R>; 2], half:
         }
     }
     moved
+}
+
+/// The floor between the blocks: below the binding's level the spine is solid.
+#[inline(always)]
+fn spine<R: Real>(
+    sides: [&Profile<R>; 2],
+    p: V2<R::Lanes>,
+    push: Push<R::Lanes>,
+) -> Push<R::Lanes> {
+    let (zero, one) = (R::Lanes::zero(), R::Lanes::one());
+    let [left, right] = sides.map(|s| R::Lanes::all(s.segments[0].from.0[0]));
+    let inside =
+        R::Lanes::pick_less(-p.0[0], left, R::Lanes::pick_less(p.0[0], right, one, zero), zero);
+    let depth = -p.0[1] * inside;
+    let pick = |new, old| R::Lanes::pick_less(push.depth, depth, new, old);
+    Push {
+        depth: pick(depth, push.depth),
+        direction: V2([pick(zero, push.direction.0[0]), pick(one, push.direction.0[1])]),
+    }
 }
 
 /// How deep points lie below the curve `clearance` above a block, and which way is out.
