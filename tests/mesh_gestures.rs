@@ -6,37 +6,34 @@ mod support;
 
 use dogleaf_core::Book;
 use dogleaf_core::grid::G11x8;
-use std::panic::AssertUnwindSafe;
 use support::{Case, Eleven, Mesh, check};
 
 /// Frames between two looks.
 const EVERY: usize = 7;
+/// Frames watched after the finger has left.
+const AFTER: usize = 120;
 
 #[test]
 fn closed_and_upright_over_random_gestures() {
     let gestures = if cfg!(debug_assertions) { 60 } else { 1000 };
     let mut book: Box<Eleven> = Box::new(Book::EMPTY);
     let mut mesh = Mesh::new::<G11x8>();
-    let fixed = mesh.indices.clone();
-    let (mut looks, mut bad) = (0, Vec::new());
+    let (mut looks, mut in_air, mut bad) = (0, 0, Vec::new());
     for n in 0..gestures {
         let case = Case::random(n);
-        let played = std::panic::catch_unwind(AssertUnwindSafe(|| {
-            case.play(&mut book, 120, |frame, book| {
-                if frame % EVERY == 0 {
-                    mesh.draw(book);
-                    looks += 1;
-                    if let Err(why) = check::<G11x8>(&mesh, case.spec.width_m) {
-                        bad.push(format!("gesture {n} frame {frame}: {why}\n{case:?}"));
-                    }
+        case.play(&mut book, AFTER, |frame, book| {
+            if frame % EVERY == 0 {
+                mesh.draw(book);
+                looks += 1;
+                in_air += usize::from(book.leaf().is_some());
+                if let Err(why) = check::<G11x8>(&mesh, case.spec.width_m) {
+                    bad.push(format!("gesture {n} frame {frame}: {why}\n{case:?}"));
                 }
-            });
-        }));
-        assert!(played.is_ok(), "gesture {n} panicked: {case:?}");
+            }
+        });
     }
-    assert_eq!(mesh.indices, fixed, "the index buffer never changes");
-    let step = (bad.len() / 4).max(1);
-    let first: Vec<_> = bad.iter().step_by(step).collect();
+    let first: Vec<_> = bad.iter().take(3).collect();
     assert!(bad.is_empty(), "{} of {looks} meshes are bad, such as {first:#?}", bad.len());
-    println!("{looks} meshes of {gestures} gestures");
+    assert!(in_air * 2 > looks, "most looks see a leaf in the air: {in_air} of {looks}");
+    println!("{looks} meshes of {gestures} gestures, {in_air} with a leaf in the air");
 }

@@ -16,7 +16,7 @@ use crate::state::strip::{BLOCK, Strip};
 /// Directions round the end of the binding; one more than a power of two.
 const FAN: usize = 17;
 /// Points an edge of the midline gets.
-const POINTS: usize = 6;
+const POINTS: usize = 4;
 /// Corners of the drawn midline, the fan included.
 const DENSE: usize = FAN + POINTS * (BLOCK - 1) + 1;
 
@@ -85,7 +85,7 @@ fn fan(to: V3<f32>) -> [V3<f32>; FAN] {
     }
     let mut step = FAN / 2;
     while step > 0 {
-        for i in (step..FAN).step_by(2 * step) {
+        for i in (step..FAN).step_by((2 * step).max(1)) {
             let ray = |i: usize| rays.get(i).copied().unwrap_or(to);
             let middle = unit(ray(i - step) + ray(i + step), V3([0.0, 1.0, 0.0]));
             if let Some(slot) = rays.get_mut(i) {

@@ -79,15 +79,19 @@ impl Polyline {
     /// what lies between their neighbours; those at the end get `tail` each.
     pub(super) fn fitted(&self, tail: f32) -> impl Iterator<Item = (f32, Knot)> {
         let inner = self.corners().iter().skip(1);
-        let length = inner.clone().fold(tail * self.dropped as f32, |sum, c| sum + c.length);
+        let (length, columns) = inner
+            .fold((tail * self.dropped as f32, self.dropped), |(length, columns), c| {
+                (length + c.length, columns + c.offered)
+            });
         let scale = WIDTH as f32 / length.larger(1e-6);
-        let steps = inner
-            .clone()
-            .flat_map(|c| core::iter::repeat_n(c.length / c.offered as f32, c.offered))
-            .chain(core::iter::repeat_n(tail, self.dropped))
-            .map(move |step| step * scale);
-        let columns = inner.fold(self.dropped, |sum, c| sum + c.offered);
-        self.pace(columns, core::iter::once(0.0).chain(steps))
+        let steps = Steps {
+            corners: self.corners().get(1..).unwrap_or_default(),
+            left: 0,
+            step: 0.0,
+            tail: tail * scale,
+            scale,
+        };
+        self.pace(columns, core::iter::once(0.0).chain(steps.take(columns)))
     }
 
     /// The vertices of a row at given steps: share of the width at each, and the place; the normal is not
@@ -115,6 +119,35 @@ impl Polyline {
             from = to.p;
             (sum / WIDTH as f32, to)
         })
+    }
+}
+
+/// Steps from corner to corner as offered.
+#[derive(Debug)]
+struct Steps<'a> {
+    corners: &'a [Corner],
+    /// Steps to go to the next corner.
+    left: usize,
+    step: f32,
+    tail: f32,
+    scale: f32,
+}
+
+impl Iterator for Steps<'_> {
+    type Item = f32;
+
+    fn next(&mut self) -> Option<f32> {
+        if self.left == 0 {
+            let Some((corner, rest)) = self.corners.split_first() else { return Some(self.tail) };
+            self.corners = rest;
+            self.left = corner.offered;
+            self.step = corner.length * self.scale;
+            if corner.offered > 1 {
+                self.step /= corner.offered as f32;
+            }
+        }
+        self.left -= 1;
+        Some(self.step)
     }
 }
 

@@ -12,20 +12,32 @@
 //! For a lone fold `t` is the direction half-way between the chords. In a flat one that is lost in
 //! rounding, but the neighbours know it.
 
-use super::spline::MOST;
+use super::spline::Line;
+use crate::grid::Grid;
 use crate::real::{Lanes, Num, Real, V3};
+use crate::state::Field;
+use crate::state::field::row_mask;
 
 /// The halves of a fold are this far apart one node from it, in lengths of an edge: a turn of 145°.
 const APART: f64 = 0.6;
 
-/// Eight rows of nodes, from spine to fore-edge, as they are drawn.
+/// Eight rows of a field, from spine to fore-edge.
 #[derive(Debug)]
-pub(super) struct Rows<R: Real> {
-    pub(super) nodes: [V3<R::Lanes>; MOST],
-    pub(super) slopes: [V3<R::Lanes>; MOST],
-    pub(super) count: usize,
-    /// One in every lane that is a row, else zero.
-    pub(super) there: R::Lanes,
+pub(super) struct Eight<'a, R: Real, G: Grid> {
+    pub(super) field: &'a mut Field<R, G>,
+    /// The first of the rows.
+    pub(super) k: usize,
+}
+
+impl<R: Real, G: Grid> Line<R::Lanes> for Eight<'_, R, G> {
+    #[inline(always)]
+    fn at(&self, i: usize) -> V3<R::Lanes> {
+        self.field.rows(i, self.k, 0)
+    }
+    #[inline(always)]
+    fn put(&mut self, i: usize, v: V3<R::Lanes>) {
+        self.field.set_rows(i, self.k, 0, v);
+    }
 }
 
 /// A sharp fold in some of eight rows.
@@ -37,59 +49,47 @@ struct Fold<T> {
     round: V3<T>,
 }
 
-impl<R: Real> Rows<R> {
-    pub(super) fn node(&self, i: usize) -> V3<R::Lanes> {
-        self.nodes.get(i).copied().unwrap_or_else(V3::zero)
-    }
-    pub(super) fn slope(&self, i: usize) -> V3<R::Lanes> {
-        self.slopes.get(i).copied().unwrap_or_else(V3::zero)
-    }
-
-    /// Draws the halves of flat folds apart.
-    pub(super) fn open(&mut self, edge: R) {
-        for i in 1..self.count.saturating_sub(1) {
-            let Some(Fold { turn, round }) = self.fold(i) else { continue };
-            let gap = (self.node(i + 1) - self.node(i - 1)).dot(round);
-            let lacks = (R::Lanes::of(APART) * R::Lanes::all(edge) - gap).larger(R::Lanes::zero());
-            let lacks = R::Lanes::pick_less(turn, R::Lanes::zero(), lacks, R::Lanes::zero());
-            // The column at the spine stays.
-            let share = R::Lanes::of(if i == 1 { 1.0 } else { 0.5 });
-            let shift = round * (lacks * share);
-            if let Some(after) = self.nodes.get_mut(i + 1) {
-                *after = *after + shift;
-            }
-            if let Some(before) = self.nodes.get_mut(i - 1).filter(|_| i > 1) {
-                *before = *before - shift;
-            }
+/// Draws the halves of flat folds apart; `edge` is the length of an edge.
+pub(super) fn open<R: Real, G: Grid>(nodes: &mut Eight<'_, R, G>, edge: R) {
+    let zero = R::Lanes::zero();
+    for i in 1..G::NX - 1 {
+        let Some(Fold { turn, round }) = fold(nodes, i) else { continue };
+        let gap = (nodes.at(i + 1) - nodes.at(i - 1)).dot(round);
+        let lacks = (R::Lanes::all(R::of(APART) * edge) - gap).larger(zero);
+        // The column at the spine stays.
+        let share = R::Lanes::of(if i == 1 { 1.0 } else { 0.5 });
+        let shift = round * (R::Lanes::pick_less(turn, zero, lacks, zero) * share);
+        nodes.put(i + 1, nodes.at(i + 1) + shift);
+        if i > 1 {
+            nodes.put(i - 1, nodes.at(i - 1) - shift);
         }
     }
+}
 
-    /// Turns the slopes at sharp folds in their common direction.
-    pub(super) fn turn(&mut self) {
-        for i in 1..self.count.saturating_sub(1) {
-            let Some(Fold { turn, round }) = self.fold(i) else { continue };
-            if let Some(slope) = self.slopes.get_mut(i) {
-                let old = *slope;
-                let pick = |new, old| R::Lanes::pick_less(turn, R::Lanes::zero(), new, old);
-                let ([a, b, c], [x, y, z]) = (round.0, old.0);
-                *slope = V3([pick(a, x), pick(b, y), pick(c, z)]);
-            }
-        }
+/// Turns the slopes at sharp folds in their common direction.
+pub(super) fn turn<R: Real, G: Grid>(nodes: &Eight<'_, R, G>, slopes: &mut Eight<'_, R, G>) {
+    for i in 1..G::NX - 1 {
+        let Some(Fold { turn, round }) = fold(nodes, i) else { continue };
+        let pick = |new, old| R::Lanes::pick_less(turn, R::Lanes::zero(), new, old);
+        let ([a, b, c], [x, y, z]) = (round.0, slopes.at(i).0);
+        slopes.put(i, V3([pick(a, x), pick(b, y), pick(c, z)]));
     }
+}
 
-    fn fold(&self, i: usize) -> Option<Fold<R::Lanes>> {
-        let before = unit::<R>(self.node(i) - self.node(i - 1));
-        let after = unit::<R>(self.node(i + 1) - self.node(i));
-        let turn = before.dot(after) * self.there;
-        if (-turn).largest() <= R::ZERO {
-            return None;
-        }
-        let axis = before.cross(after);
-        let mean = V3(axis.0.map(|c| (c * self.there).sum()));
-        let mean = mean * (R::of(1.0) / mean.norm().larger(R::of(1e-6)));
-        let axis = axis + V3(mean.0.map(R::Lanes::all));
-        Some(Fold { turn, round: unit::<R>(axis.cross(before - after)) })
+/// The fold at node `i`, if any of the rows has one.
+fn fold<R: Real, G: Grid>(nodes: &Eight<'_, R, G>, i: usize) -> Option<Fold<R::Lanes>> {
+    let there = row_mask::<R>(nodes.k, 0, G::NZ);
+    let before = unit::<R>(nodes.at(i) - nodes.at(i - 1));
+    let after = unit::<R>(nodes.at(i + 1) - nodes.at(i));
+    let turn = before.dot(after) * there;
+    if (-turn).largest() <= R::ZERO {
+        return None;
     }
+    let axis = before.cross(after);
+    let mean = V3(axis.0.map(|c| (c * there).sum()));
+    let mean = mean * (R::of(1.0) / mean.norm().larger(R::of(1e-6)));
+    let axis = axis + V3(mean.0.map(R::Lanes::all));
+    Some(Fold { turn, round: unit::<R>(axis.cross(before - after)) })
 }
 
 fn unit<R: Real>(v: V3<R::Lanes>) -> V3<R::Lanes> {

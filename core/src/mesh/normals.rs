@@ -3,8 +3,9 @@
 //! Where the leaf folds so sharply that neighbours face away from each other, a normal is chosen that
 //! all triangles around the vertex agree with.
 
-use super::Vertex;
 use super::curve::{norm, unit};
+use super::layout::ALONG;
+use super::{Vertex, spline};
 use crate::real::V3;
 
 /// Neighbours whose normals meet at less than this cosine are at a fold.
@@ -15,6 +16,8 @@ const NARROW: usize = 3;
 const ROUNDS: usize = 24;
 /// Least cosine between it and a triangle around it that is aimed at.
 const AGREE: f32 = 0.05;
+/// Vertices of a column at most.
+const MOST: usize = ALONG * (spline::MOST - 1) + 1;
 /// Neighbours of a vertex, the way round in which columns and rows grow.
 const RING: [(isize, isize); 6] = [(-1, -1), (0, -1), (1, 0), (1, 1), (0, 1), (-1, 0)];
 
@@ -46,19 +49,41 @@ impl Net {
     /// The direction across is the sum of two chords of nearly equal length, so it agrees with both
     /// however sharply they fold. With a twist besides, see [`Net::folds`].
     pub(super) fn normals(&self, net: &mut [Vertex]) {
+        let mut across = [V3([0.0; 3]); MOST];
         for j in 0..self.columns {
-            for r in 0..self.rows {
-                let p = |j: usize, r: usize| {
-                    net.get(j * self.rows + r).map_or(V3([0.0; 3]), |v| V3(v.position))
-                };
-                let a = direction(j, self.columns, |j| p(j, r));
-                let b = direction(r, self.rows, |r| p(j, r));
-                let up = V3([0.0, self.side, 0.0]);
-                let n = unit((a * 1e4).cross(b * (1e4 * self.side)), up);
-                if let Some(v) = net.get_mut(j * self.rows + r) {
-                    v.normal = n.0;
-                }
+            self.across(net, j, &mut across);
+            let start = j * self.rows;
+            let Some(column) = net.get_mut(start..start + self.rows) else { return };
+            let mut along = [V3([0.0; 3]); MOST];
+            for (r, slot) in along.iter_mut().enumerate().take(self.rows) {
+                let p = |r: usize| column.get(r).map_or(V3([0.0; 3]), |v| V3(v.position));
+                *slot = direction(r, self.rows, p);
             }
+            let up = V3([0.0, self.side, 0.0]);
+            for (v, (&a, &b)) in column.iter_mut().zip(across.iter().zip(&along)) {
+                v.normal = unit((a * 1e4).cross(b * (1e4 * self.side)), up).0;
+            }
+        }
+    }
+
+    /// Directions across at the vertices of column `j`.
+    fn across(&self, net: &[Vertex], j: usize, out: &mut [V3<f32>; MOST]) {
+        let column = |j: usize| {
+            let start = j * self.rows;
+            net.get(start..start + self.rows).unwrap_or_default()
+        };
+        let place = |v: &Vertex| V3(v.position);
+        if j + 1 < self.columns {
+            let pairs = column(j + 1).iter().zip(column(j.saturating_sub(1)));
+            for (slot, (next, last)) in out.iter_mut().zip(pairs) {
+                *slot = place(next) - place(last);
+            }
+            return;
+        }
+        let (two, one) = (column(j.saturating_sub(2)), column(j.saturating_sub(1)));
+        for (slot, (here, (a, b))) in out.iter_mut().zip(column(j).iter().zip(two.iter().zip(one)))
+        {
+            *slot = place(here) * 3.0 - place(b) * 4.0 + place(a);
         }
     }
 
@@ -66,7 +91,8 @@ impl Net {
     /// triangles around.
     pub(super) fn folds(&self, net: &mut [Vertex]) -> Option<(usize, usize)> {
         let mut failed = None;
-        for j in 0..self.columns {
+        let narrow = if self.sharp(net) { self.columns } else { NARROW };
+        for j in 0..narrow {
             for r in 0..self.rows {
                 if !self.folded(net, j, r) {
                     continue;
@@ -100,6 +126,14 @@ impl Net {
         }
     }
 
+    /// Whether any two neighbours are at a fold.
+    fn sharp(&self, net: &[Vertex]) -> bool {
+        let sharp = |(a, b): (&Vertex, &Vertex)| V3(a.normal).dot(V3(b.normal)) < FOLD;
+        let across = net.iter().zip(net.iter().skip(self.rows)).any(sharp);
+        across
+            || net.chunks_exact(self.rows.max(1)).any(|c| c.iter().zip(c.iter().skip(1)).any(sharp))
+    }
+
     fn folded(&self, net: &[Vertex], j: usize, r: usize) -> bool {
         let Some(here) = net.get(j * self.rows + r) else { return false };
         if j < NARROW {
@@ -122,8 +156,8 @@ impl Net {
         net.get(j * self.rows + r)
     }
 
-    /// A normal that agrees with every triangle around, if there is one: starts at their mean and leans towards those
-    /// that do not agree yet.
+    /// A normal that agrees with every triangle around, if there is one: starts at their mean and leans
+    /// towards those that do not agree yet.
     fn agreed(&self, net: &[Vertex], j: usize, r: usize) -> Option<V3<f32>> {
         let here = net.get(j * self.rows + r).copied().unwrap_or_default();
         let spoke = |n: usize| {

@@ -44,7 +44,8 @@ impl<'a> Prism<'a> {
         Some(Self { form, top, tail, head, outer, inner, bottom })
     }
 
-    /// Sets the point of one column and level, at share `u` of the width, with its upward normal of any length.
+    /// Sets the point of one column and level, at share `u` of the width, with its upward normal, which may
+    /// have any length.
     pub(super) fn set(&mut self, column: usize, level: usize, u: f32, p: V2<f32>, n: V3<f32>) {
         let Form { columns, levels, sign, .. } = self.form;
         let at = column * levels + level;

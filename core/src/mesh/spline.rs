@@ -14,7 +14,6 @@ pub(super) const MOST: usize = 32;
 /// Factors of the elimination; they depend on nothing but the place.
 const SWEEP: [f64; MOST] = sweep();
 
-#[allow(clippy::indexing_slicing)]
 const fn sweep() -> [f64; MOST] {
     let mut c = [0.5; MOST];
     let mut rest: &mut [f64] = &mut c;
@@ -27,33 +26,52 @@ const fn sweep() -> [f64; MOST] {
     c
 }
 
-/// Slopes at `n` points, a point apart being one; the rest of `m` is left.
-pub(super) fn slopes<T: Num>(n: usize, p: &[V3<T>; MOST], m: &mut [V3<T>; MOST]) {
-    let p = |i: usize| p.get(i).copied().unwrap_or_else(V3::zero);
+/// A row of vectors to read and to write; outside it there are zeros.
+pub(super) trait Line<T> {
+    /// The vector at `i`.
+    fn at(&self, i: usize) -> V3<T>;
+    /// Sets it.
+    fn put(&mut self, i: usize, v: V3<T>);
+}
+
+impl<T: Num> Line<T> for [V3<T>; MOST] {
+    fn at(&self, i: usize) -> V3<T> {
+        self.get(i).copied().unwrap_or_else(V3::zero)
+    }
+    fn put(&mut self, i: usize, v: V3<T>) {
+        if let Some(slot) = self.get_mut(i) {
+            *slot = v;
+        }
+    }
+}
+
+/// Slopes at `n` points, a point apart being one.
+pub(super) fn slopes<T: Num>(n: usize, p: &impl Line<T>, m: &mut impl Line<T>) {
     let mut before = V3::zero();
     let last = n.saturating_sub(1);
     let mut passed = 0.5;
-    for (i, (slot, &c)) in m.iter_mut().zip(&SWEEP).enumerate().take(n) {
-        let chord = p((i + 1).min(last)) - p(i.saturating_sub(1));
+    for (i, &c) in SWEEP.iter().enumerate().take(n) {
+        let chord = p.at((i + 1).min(last)) - p.at(i.saturating_sub(1));
         let c = if i == last { 1.0 / (2.0 - passed) } else { c };
         before = (chord * T::of(3.0) - before) * T::of(c);
         passed = c;
-        *slot = before;
+        m.put(i, before);
     }
     let mut after = V3::zero();
-    for (i, (slot, &c)) in m.iter_mut().zip(&SWEEP).enumerate().take(n).rev() {
+    for (i, &c) in SWEEP.iter().enumerate().take(n).rev() {
         let c = if i == last { 0.0 } else { c };
-        *slot = *slot - after * T::of(c);
-        after = *slot;
+        after = m.at(i) - after * T::of(c);
+        m.put(i, after);
     }
 }
 
 /// Gives every slope the length of a span: paper is as long as its material, wherever it folds.
 ///
 /// Without this the curve nearly stops at a sharp fold and turns on the spot.
-pub(super) fn even_out<T: Num>(m: &mut [V3<T>; MOST], span: T) {
-    for slope in m {
-        *slope = *slope * (span / slope.norm().larger(T::of(1e-6)));
+pub(super) fn even_out<T: Num>(n: usize, m: &mut impl Line<T>, span: T) {
+    for i in 0..n {
+        let slope = m.at(i);
+        m.put(i, slope * (span / slope.norm().larger(T::of(1e-6))));
     }
 }
 

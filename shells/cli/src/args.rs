@@ -133,7 +133,7 @@ pub(crate) struct TurnArgs {
 pub(crate) struct RunArgs {
     /// The scene, a TOML file.
     pub(crate) scene: PathBuf,
-    /// Frames to run; until everything is at rest if not given, 1200 at most.
+    /// Frames to run; if not given until everything is at rest, at most 20 s after the last sample.
     #[arg(long, value_name = "N")]
     pub(crate) frames: Option<u32>,
     /// Write one line of JSON a frame; - writes to the standard output.

@@ -6,6 +6,7 @@
 mod args;
 mod bench;
 mod error;
+mod files;
 mod gesture;
 mod grid;
 mod picture;

@@ -2,6 +2,7 @@
 
 use crate::args::ReplayArgs;
 use crate::error::{CliError, shown};
+use crate::files::{say, say_json};
 use crate::grid::{GridName, with_grid};
 use dogleaf_core::Book;
 use dogleaf_core::grid::Grid;
@@ -42,10 +43,12 @@ pub(crate) fn replay(args: &ReplayArgs) -> Result<(), CliError> {
     let verdict = run_again(&reader).map_err(refuse)?;
     let found = found(&reader, &verdict);
     if args.json {
-        println!("{}", serde_json::to_string(&found).unwrap_or_default());
+        say_json(&found)?;
     } else {
         let Found { steps, inputs, real, grid: [nx, nz], final_hash, .. } = &found;
-        println!("{steps} steps, {inputs} samples, {real}, {nx}x{nz} nodes: hash {final_hash}");
+        say(&format!(
+            "{steps} steps, {inputs} samples, {real}, {nx}x{nz} nodes: hash {final_hash}\n"
+        ))?;
     }
     let Some(diverged) = verdict.diverged else { return Ok(()) };
     let why = if verdict.same_build { "" } else { " (made by another build of the core)" };

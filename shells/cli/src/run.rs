@@ -15,8 +15,8 @@ use crate::sim::{self, Feed, Pose, Sim};
 use dogleaf_core::step::StepReport;
 use std::path::Path;
 
-/// Frames run at most when nobody says how many.
-const MOST_FRAMES: u32 = 1200;
+/// How long a scene runs on after its last sample when nobody says how many frames, microseconds.
+const MOST_US: u64 = 20_000_000;
 
 /// One frame, as every output gets it.
 struct Frame<'a> {
@@ -99,7 +99,7 @@ fn each_frame(
     mut show: impl FnMut(&Frame<'_>) -> Result<(), CliError>,
 ) -> Result<(), CliError> {
     let mut feed = Feed::new(&scene.samples, scene.world.step_us);
-    let frames = args.frames.unwrap_or(MOST_FRAMES);
+    let frames = args.frames.unwrap_or_else(|| most_frames(scene));
     let bar = progress::bar(u64::from(frames), "frames");
     let mut report = StepReport::default();
     for number in 0..frames {
@@ -116,6 +116,12 @@ fn each_frame(
     }
     bar.finish_and_clear();
     Ok(())
+}
+
+fn most_frames(scene: &Scene) -> u32 {
+    let last_us = scene.samples.last().map_or(0, |s| s.t_us);
+    let frames = last_us.saturating_add(MOST_US) / u64::from(scene.frame_us);
+    u32::try_from(frames).unwrap_or(u32::MAX)
 }
 
 fn keep_recording(sim: &mut dyn Sim, to: &Path) -> Result<(), CliError> {

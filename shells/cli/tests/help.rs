@@ -56,3 +56,18 @@ fn nothing_asked_is_help_and_2() {
     assert_eq!(output.status.code(), Some(2), "no word");
     assert!(String::from_utf8_lossy(&output.stderr).contains("Usage: dogleaf"), "help");
 }
+
+#[test]
+fn a_reader_that_goes_away_is_no_fault() {
+    let scene = fixture("scenes/lone_leaf.toml");
+    let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_dogleaf"))
+        .args(["run", &scene, "--frames", "2000", "--json", "-"])
+        .stdout(std::process::Stdio::piped())
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .expect("it starts");
+    drop(child.stdout.take());
+    let output = child.wait_with_output().expect("it ends");
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
+}

@@ -39,6 +39,19 @@ fn a_pdf_turns_into_a_webp_with_its_figures() {
     assert!(found["simulated"].as_array().is_some_and(|s| s[0] == "leaf"), "{found}");
     let bytes = std::fs::read(out).expect("a file");
     assert_eq!((&bytes[..4], &bytes[8..12]), (&b"RIFF"[..], &b"WEBP"[..]), "a WebP");
+    its_mirror_image(&found);
+}
+
+/// Right to left is left to right in a mirror.
+fn its_mirror_image(ltr: &Value) {
+    let out = arg(&folder("turn_rtl"), "rtl.png");
+    let rtl = turn(&fixture("books/old-verses.pdf"), &out, &["--direction", "rtl"]);
+    assert_eq!(ltr["steps"], rtl["steps"], "as many steps");
+    assert_eq!(ltr["committed_page"], rtl["committed_page"], "the same page");
+    for name in ["max", "avg_max", "rms"] {
+        let [a, b] = [ltr, &rtl].map(|f| f["stretch"][name].as_f64().expect("a number"));
+        assert!((a - b).abs() < 1e-4, "{name}: {a} and {b}");
+    }
 }
 
 #[test]
@@ -51,20 +64,6 @@ fn an_archive_turns_and_then_a_folder() {
     let found = turn(&frames, &gif, &["--gesture", &flick(), "--page", "1"]);
     assert!(std::fs::read(gif).expect("a file").starts_with(b"GIF89a"), "a GIF");
     assert_eq!(found["committed_page"], 2, "from the first page");
-}
-
-#[test]
-fn right_to_left_is_the_mirror_image() {
-    let here = folder("turn_rtl");
-    let book = fixture("books/old-verses.pdf");
-    let ltr = turn(&book, &arg(&here, "ltr.png"), &[]);
-    let rtl = turn(&book, &arg(&here, "rtl.png"), &["--direction", "rtl"]);
-    assert_eq!(ltr["steps"], rtl["steps"], "as many steps");
-    assert_eq!(ltr["committed_page"], rtl["committed_page"], "the same page");
-    for name in ["max", "avg_max", "rms"] {
-        let [a, b] = [&ltr, &rtl].map(|f| f["stretch"][name].as_f64().expect("a number"));
-        assert!((a - b).abs() < 1e-4, "{name}: {a} and {b}");
-    }
 }
 
 #[test]

@@ -67,7 +67,7 @@ impl Renderer {
     ///
     /// # Cost
     ///
-    /// Memory: `4 · samples + 6` bytes a pixel and 45 MB of shadow maps.
+    /// Memory: `4 · samples + 6` bytes a pixel and 23 MB of shadow maps.
     ///
     /// # Errors
     ///

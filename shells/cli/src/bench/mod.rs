@@ -15,6 +15,7 @@ mod turn;
 
 use crate::args::BenchArgs;
 use crate::error::CliError;
+use crate::files::say_json;
 use crate::progress;
 use dogleaf_core::grid::{G11x8, Grid};
 use dogleaf_core::real::Real;
@@ -28,7 +29,7 @@ type Measured = G11x8;
 pub(crate) fn bench(args: &BenchArgs) -> Result<(), CliError> {
     let report = measure(args.turns)?;
     if args.json {
-        println!("{}", serde_json::to_string(&report).unwrap_or_default());
+        say_json(&report)?;
     } else {
         report.print().map_err(|e| CliError::write("standard output".as_ref(), &e))?;
     }

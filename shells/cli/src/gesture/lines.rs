@@ -3,12 +3,16 @@
 //! `id` may be left out; a `down` may say how many `leaves` to take up.
 
 use crate::error::{CliError, one_line, shown};
+use crate::files::read_text;
 use dogleaf_core::hand::{Phase, Sample};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
 /// Samples of one gesture at most: a finger at 1000 Hz for a quarter of an hour.
 const MOST: usize = 1_000_000;
+
+/// Largest gesture file read, bytes.
+const LARGEST: u64 = 128 << 20;
 
 /// A gesture is refused; nothing was run.
 #[derive(Debug, thiserror::Error)]
@@ -83,7 +87,7 @@ impl From<&Sample> for Line {
 
 /// Reads a gesture file.
 pub(crate) fn load(path: &Path) -> Result<Vec<Sample>, CliError> {
-    let text = std::fs::read_to_string(path).map_err(|e| CliError::read(path, &e))?;
+    let text = read_text(path, LARGEST)?;
     Ok(parse(&text, &shown(path))?)
 }
 

@@ -5,7 +5,7 @@ use crate::error::CliError;
 use dogleaf_core::hand::View;
 use dogleaf_core::mesh::{Surface, Vertex, table_drop_m};
 use dogleaf_core::scene::{Cover, Direction};
-use dogleaf_render::{Camera, Lights, Material, PAPER_TINT, Patch, Renderer, Vec3};
+use dogleaf_render::{Camera, Lights, Material, PAPER_ALPHA, PAPER_TINT, Patch, Renderer, Vec3};
 
 /// Half a side of the table, metres.
 const TABLE_M: f32 = 3.0;
@@ -112,8 +112,7 @@ fn material<'a>(
     let page = |page| Material::paper(pages.get(page), None, f32::INFINITY);
     let (up, down) = (pages.get(Some(faces.leaf_up)), pages.get(Some(faces.leaf_down)));
     let edges = |leaves: u32| Material::PageEdges { leaves: leaves as f32, tint: PAPER_TINT };
-    // Light passes through one leaf, not through a stack.
-    let thickness = if shot.held > 1 { f32::INFINITY } else { set.thickness_m };
+    let thickness = optical_thickness_m(shot, set.thickness_m);
     match surface {
         Surface::LeafUp => Material::paper(up, down, thickness),
         Surface::LeafDown => Material::paper(down, up, thickness),
@@ -128,6 +127,12 @@ fn material<'a>(
             Material::Board { colour: Vec3::new(0.16, 0.035, 0.03), roughness: 0.75 }
         }
     }
+}
+
+/// What light has to pass: one leaf, not a stack. What passes a leaf that lies on a page comes back
+/// from that page, so a leaf is opaque to the eye until it has risen.
+fn optical_thickness_m(shot: &Shot, leaf_m: f32) -> f32 {
+    if shot.held > 1 { f32::INFINITY } else { leaf_m - shot.free.ln() / PAPER_ALPHA }
 }
 
 fn table(y: f32) -> [Vertex; 4] {

@@ -20,7 +20,7 @@ pub(crate) fn sheet_shot(leaf: &LeafNodes, thickness_m: f32) -> Shot {
     let piece = |surface, indices| Piece { surface, indices };
     let pieces =
         vec![piece(Surface::LeafUp, 0..half), piece(Surface::LeafDown, half..indices.len())];
-    Shot { vertices, indices: indices.into(), pieces, leaves: [0; 2], held: 1 }
+    Shot { vertices, indices: indices.into(), pieces, leaves: [0; 2], held: 1, free: 1.0 }
 }
 
 /// Points in columns.

@@ -3,7 +3,7 @@
 use crate::error::CliError;
 use dogleaf_core::Book;
 use dogleaf_core::grid::Grid;
-use dogleaf_core::mesh::{self, Layout, Surface, Vertex};
+use dogleaf_core::mesh::{self, Counts, Layout, Surface, Vertex};
 use dogleaf_core::real::Real;
 use std::ops::Range;
 use std::sync::Arc;
@@ -25,6 +25,9 @@ pub(crate) struct Shot {
     pub(crate) leaves: [u32; 2],
     /// Leaves in the air.
     pub(crate) held: u32,
+    /// How far the leaf in the air has left the page beneath it: 0 where it lies on it, 1 where light gets
+    /// between them.
+    pub(crate) free: f32,
 }
 
 impl Shot {
@@ -48,12 +51,36 @@ pub(crate) fn book_shot<R: Real, G: Grid>(
 ) -> Result<Shot, CliError> {
     let mut vertices = vec![Vertex::default(); Layout::<G>::VERTICES];
     let counts = mesh::vertices(book, &mut vertices)?;
+    let free = book.leaf().map_or(1.0, |_| free::<G>(&vertices, &counts));
     let there = counts.parts.into_iter().filter(|part| part.visible);
     Ok(Shot {
         vertices,
+        free,
         indices: indices.clone(),
         pieces: there.map(|p| Piece { surface: p.surface, indices: p.indices }).collect(),
         leaves: book.binding().leaves,
         held: book.binding().held,
     })
+}
+
+/// Mean gap at which a leaf counts as free of the page beneath, as a share of its width.
+const FREE: f32 = 0.12;
+
+/// From the mean gap between the leaf and the block it leans over; both have the same columns.
+fn free<G: Grid>(vertices: &[Vertex], counts: &Counts) -> f32 {
+    let of = |surface| counts.part(surface).and_then(|p| vertices.get(p.vertices.clone()));
+    let leaf = of(Surface::LeafUp).unwrap_or_default();
+    let edge = leaf.last().map_or([0.0; 3], |v| v.position);
+    let top = if edge[0] < 0.0 { Surface::LeftTop } else { Surface::RightTop };
+    let there = counts.part(top).is_some_and(|p| p.visible);
+    let block = of(top).filter(|_| there).unwrap_or_default();
+    let rows = Layout::<G>::ROWS;
+    let gaps = leaf.chunks_exact(rows).enumerate().flat_map(|(column, line)| {
+        let floor = block.get(2 * column).map_or(0.0, |v| v.position[1]);
+        line.iter().map(move |v| (v.position[1] - floor).abs())
+    });
+    let mean = gaps.sum::<f32>() / leaf.len().max(1) as f32;
+    let width = edge[0].hypot(edge[1]).max(1e-3);
+    let t = (mean / (FREE * width)).min(1.0);
+    t * t * (3.0 - 2.0 * t)
 }

@@ -20,9 +20,6 @@ pub(crate) enum Fault {
     /// Not TOML.
     #[error("{0}")]
     Syntax(String),
-    /// Too large to be a scene.
-    #[error("a scene of more than {0} bytes is refused")]
-    TooLarge(usize),
     /// A word no scene has.
     #[error("unknown {what} '{given}'{place}; {hint}")]
     Unknown {

@@ -11,6 +11,7 @@ mod section;
 pub(crate) use error::{Fault, SceneError};
 
 use crate::error::{CliError, shown};
+use crate::files::read_text;
 use crate::gesture;
 use crate::grid::GridName;
 use dogleaf_core::hand::{Sample, View};
@@ -25,7 +26,7 @@ const TABLES: [&str; 9] =
 /// Effects of other versions: known, and refused.
 const EFFECTS: [&str; 3] = ["ribbon", "sheet", "sound"];
 /// Largest scene read, bytes: inline samples of an hour.
-const LARGEST: usize = 32 << 20;
+const LARGEST: u64 = 32 << 20;
 /// Picture a scene is seen in unless it says otherwise.
 pub(crate) const PICTURE: [u32; 2] = [960, 720];
 
@@ -71,16 +72,13 @@ pub(crate) struct Scene {
 impl Scene {
     /// Reads a scene from a file; a gesture it names is looked for beside it.
     pub(crate) fn load(path: &Path) -> Result<Self, CliError> {
-        let text = std::fs::read_to_string(path).map_err(|e| CliError::read(path, &e))?;
+        let text = read_text(path, LARGEST)?;
         Self::parse(&text, &shown(path), path.parent().unwrap_or(Path::new("")))
     }
 
     /// Reads a scene from text; `beside` is the folder gesture files are looked for in.
     pub(crate) fn parse(text: &str, file: &str, beside: &Path) -> Result<Self, CliError> {
         let source = Source { file, text };
-        if text.len() > LARGEST {
-            return Err(source.fault(None, Fault::TooLarge(LARGEST)).into());
-        }
         let table = DeTable::parse(text).map_err(|e| {
             source.fault(e.span(), Fault::Syntax(crate::error::one_line(e.message())))
         })?;
@@ -96,7 +94,7 @@ impl Scene {
             paper: parts::paper(&root)?,
             body,
             grid,
-            view: parts::view(&root, body.size_m())?,
+            view: parts::view(&root, &body)?,
             samples: Self::hand(&root, beside)?,
         };
         if !scene.samples.is_empty() && matches!(body, Body::Leaf(_)) {

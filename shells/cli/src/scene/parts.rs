@@ -130,12 +130,17 @@ fn grid(s: &Section<'_>) -> Result<GridName, SceneError> {
     })
 }
 
-/// Where the reader looks from: at the whole spread, changed number by number.
-pub(super) fn view(root: &Section<'_>, [width, height]: [f64; 2]) -> Result<View, SceneError> {
+/// Where the reader looks from: at the whole spread, or at the side of a lone leaf; changed number by
+/// number.
+pub(super) fn view(root: &Section<'_>, body: &Body) -> Result<View, SceneError> {
     let s = root.section("view", &["eye_m", "target_m", "fov_y_deg", "width_px", "height_px"])?;
     let width_px = s.whole("width_px", PICTURE[0])?;
     let height_px = s.whole("height_px", PICTURE[1])?;
-    let d = View::reading(width, height, width_px, height_px);
+    let [width, height] = body.size_m();
+    let d = match body {
+        Body::Book(_) => View::reading(width, height, width_px, height_px),
+        Body::Leaf(_) => beside([width, height], [width_px, height_px]),
+    };
     let view = View {
         eye_m: s.numbers("eye_m", d.eye_m)?,
         target_m: s.numbers("target_m", d.target_m)?,
@@ -145,6 +150,15 @@ pub(super) fn view(root: &Section<'_>, [width, height]: [f64; 2]) -> Result<View
     };
     check(root, view.check())?;
     Ok(view)
+}
+
+/// A leaf that hangs from the clamp at the origin, seen from its tail and a little from above.
+fn beside([width, height]: [f64; 2], [width_px, height_px]: [u32; 2]) -> View {
+    let large = width.max(0.8 * height);
+    let target_m = [0.45 * width, -0.35 * width, 0.0];
+    let [x, y, _] = target_m;
+    let eye_m = [x + 0.9 * large, y + 1.2 * large, 0.5 * height + 2.9 * large];
+    View { eye_m, target_m, fov_y_deg: 30.0, width_px, height_px }
 }
 
 /// What the hand does: a file, or samples.

@@ -2,8 +2,8 @@
 
 use super::play::Figures;
 use crate::error::CliError;
+use crate::files::{say, say_json};
 use serde::Serialize;
-use std::io::Write;
 
 #[derive(Serialize)]
 struct Report<'a> {
@@ -40,13 +40,7 @@ pub(super) fn print(figures: &Figures, json: bool, out: &str) -> Result<(), CliE
         simulated: &figures.simulated,
         out,
     };
-    let text = if json {
-        serde_json::to_string(&report).unwrap_or_default() + "\n"
-    } else {
-        lines(&report, figures)
-    };
-    let written = std::io::stdout().lock().write_all(text.as_bytes());
-    written.map_err(|e| CliError::write("standard output".as_ref(), &e))
+    if json { say_json(&report) } else { say(&lines(&report, figures)) }
 }
 
 fn lines(r: &Report<'_>, figures: &Figures) -> String {

@@ -16,7 +16,10 @@ use crate::error::AnimError;
 /// Largest side a lossy frame can have, pixels.
 pub(super) const MAX_SIDE: u32 = 16_383;
 /// Fine print shows no ringing from here on.
-const QUALITY: f32 = 90.0;
+const QUALITY: f32 = 93.0;
+/// Smoothing of block borders. The encoder's own default of 60 rounds small letters off and costs
+/// 3 dB on a page of print.
+const FILTER: u8 = 10;
 /// The fastest search: eight times faster than the next for files half as large again.
 const METHOD: u8 = 0;
 
@@ -75,7 +78,14 @@ impl Film for Webp {
     fn show(&mut self, shot: &Shot) -> Result<(), AnimError> {
         let rgba = shot.pixels.chunks_exact(3).flat_map(|p| [p[0], p[1], p[2], 255]).collect();
         let picture = ImageBuffer { width: shot.rect.width, height: shot.rect.height, rgba };
-        let config = LossyEncodingConfig { quality: QUALITY, method: METHOD, ..Default::default() };
+        let config = LossyEncodingConfig {
+            quality: QUALITY,
+            method: METHOD,
+            filter_strength: FILTER,
+            sns_strength: 0,
+            segments: 1,
+            ..Default::default()
+        };
         let file =
             webp_rust::encode_lossy_with_config(&picture, &config, None).map_err(|e| failed(&e))?;
         let chunk =

@@ -95,10 +95,11 @@ impl View {
         self.scale * ((1.0 - self.distance * nearness).abs() * self.radius)
     }
 
-    /// How far the shadow of a blocker moves on a place when a point moves within its patch, texels.
+    /// How far the shadow of a blocker moves on a place when a point moves within its patch, texels; no
+    /// less than what hides the steps of the maps themselves.
     pub(super) fn spread(&self, near: f32, blocker: f32) -> Vec2 {
         let patch = self.radius / (POINTS as f32).sqrt();
-        self.scale * (patch * self.distance * (blocker - near).abs())
+        (self.scale * (patch * self.distance * (blocker - near).abs())).max(Vec2::splat(1.2))
     }
 
     /// Side of a texel near `p`, metres.
