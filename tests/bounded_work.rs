@@ -7,7 +7,6 @@ use dogleaf_core::grid::G11x8;
 use dogleaf_core::hand::{Phase, Sample};
 use dogleaf_core::scene::{Fidelity, LeafSpec, Settings, WorldSpec};
 use dogleaf_core::step::StepReport;
-use dogleaf_core::step::leaf::TRIALS;
 use dogleaf_tests::gesture::{Eye, Rng, Scene};
 
 /// World steps one call may take.
@@ -21,7 +20,7 @@ fn excess(report: &StepReport, settings: &Settings, steps: u32) -> Option<String
     let bounds = [
         ("steps", report.steps, steps),
         ("Newton steps", report.newton_steps, substeps * settings.newton),
-        ("trials", report.cuts, TRIALS * report.newton_steps),
+        ("trials", report.cuts, settings.trials * report.newton_steps),
         ("passes", report.passes, substeps * settings.passes),
         ("chain solves", report.chain_solves, substeps * 4),
         ("nodes pushed", report.pushed, substeps * NODES),

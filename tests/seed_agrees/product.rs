@@ -6,6 +6,7 @@
 
 use super::{flat_book, model};
 use dogleaf_core::grid::{G11x8, Grid};
+use dogleaf_core::scene::Settings;
 use dogleaf_core::seed::{Pose, SeedSettings, Solver as SeedSolver};
 use dogleaf_core::state::{Field, Leaf, Root, Sheet};
 use dogleaf_core::step::{Ask, Solver, StepReport, StepStatus};
@@ -53,7 +54,7 @@ impl Moment {
     fn product(&self) -> Option<Field<f64, G11x8>> {
         let (mut solver, mut leaf) = (Box::new(Solver::ZERO), self.leaf.clone());
         let mut report = StepReport::default();
-        solver.step(&self.sheet, &mut leaf, &self.ask, 1, &mut report);
+        solver.step(&self.sheet, &mut leaf, &self.ask, &Settings::STANDARD, &mut report);
         (report.status == StepStatus::Converged).then_some(leaf.x)
     }
     /// The seed's step; `None` where it was cut.

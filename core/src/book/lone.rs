@@ -20,6 +20,7 @@ pub struct LoneLeaf<R: Real, G: Grid> {
     spec: LeafSpec,
     units: Units,
     settings: Settings,
+    damping_per_s: f64,
     step_us: u32,
     owed_us: u64,
     now_us: u64,
@@ -35,7 +36,8 @@ impl<R: Real, G: Grid> LoneLeaf<R, G> {
     pub const EMPTY: Self = Self {
         spec: LeafSpec { width_m: 0.15, height_m: 0.20, clamp_angle_deg: 0.0, curl_per_m: 0.0 },
         units: Units { metres: 1.0, kilograms: 1.0 },
-        settings: Settings { substeps: 1, newton: 1, passes: 0 },
+        settings: Settings::STANDARD,
+        damping_per_s: 0.0,
         step_us: 16_667,
         owed_us: 0,
         now_us: 0,
@@ -69,21 +71,35 @@ impl<R: Real, G: Grid> LoneLeaf<R, G> {
         world.check()?;
         self.spec = *spec;
         self.units = Units::of_leaf(spec.width_m, spec.height_m, paper.areal_mass_gsm);
-        self.settings = fidelity.settings();
-        self.step_us = world.step_us;
+        (self.step_us, self.damping_per_s) = (world.step_us, world.damping_per_s);
         (self.owed_us, self.now_us) = (0, 0);
-        let h = f64::from(world.step_us) * 1e-6 / f64::from(self.settings.substeps);
         let angle = spec.clamp_angle_deg * (core::f64::consts::PI / 180.0);
         self.ask = Ask {
-            h: R::of(h),
-            keep: R::of((-world.damping_per_s * h).exponential()),
+            h: R::ZERO,
+            keep: R::ZERO,
             gravity: V3(world.gravity.map(|g| R::of(self.units.length(g)))),
             root: Root::Clamp(V3([angle.cosine(), angle.sine(), 0.0].map(R::of))),
             grab: None,
         };
         self.sheet.fill(WIDTH, self.units.length(spec.height_m), paper, &self.units, 1.0);
-        self.solver.forget();
+        self.set_settings(fidelity.settings())?;
         self.lay(angle);
+        Ok(())
+    }
+
+    /// Turns the dials of the step by hand, between any two steps; [`LoneLeaf::open`] sets those of a fidelity.
+    ///
+    /// # Errors
+    ///
+    /// The first dial out of range; then nothing was changed.
+    pub fn set_settings(&mut self, settings: Settings) -> Result<(), SpecError> {
+        settings.check()?;
+        self.settings = settings;
+        let h = f64::from(self.step_us) * 1e-6 / f64::from(settings.substeps);
+        self.ask.h = R::of(h);
+        self.ask.keep = R::of((-self.damping_per_s * h).exponential());
+        self.sheet.regularise(settings.delta);
+        self.solver.forget();
         Ok(())
     }
 
@@ -136,14 +152,16 @@ impl<R: Real, G: Grid> LoneLeaf<R, G> {
     fn substep(&mut self, report: &mut StepReport) {
         self.before.copy_from(&self.leaf.x);
         let mut own = StepReport::default();
-        let newton = self.settings.newton;
-        self.solver.step(&self.sheet, &mut self.leaf, &self.ask, newton, &mut own);
+        self.solver.step(&self.sheet, &mut self.leaf, &self.ask, &self.settings, &mut own);
         if !self.leaf.x.finite() {
             own.status = StepStatus::Held;
         }
         if own.status == StepStatus::Held {
             self.leaf.x.copy_from(&self.before);
             self.leaf.v.clear();
+            if !self.leaf.x.finite() {
+                self.lay(self.spec.clamp_angle_deg * (core::f64::consts::PI / 180.0));
+            }
         } else {
             self.velocities();
         }
@@ -162,6 +180,10 @@ impl<R: Real, G: Grid> LoneLeaf<R, G> {
     /// What was asked for.
     pub fn spec(&self) -> &LeafSpec {
         &self.spec
+    }
+    /// The dials of its step.
+    pub fn settings(&self) -> Settings {
+        self.settings
     }
     /// Scales between the model and SI.
     pub fn units(&self) -> &Units {

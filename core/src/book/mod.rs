@@ -5,6 +5,8 @@
 //! [`Book::EMPTY`] and opens it.
 
 mod binding;
+#[cfg(feature = "faults")]
+mod fault;
 mod lone;
 mod open;
 #[cfg(feature = "seed")]
@@ -14,6 +16,8 @@ mod step;
 mod touch;
 
 pub use binding::Binding;
+#[cfg(feature = "faults")]
+pub use fault::Fault;
 pub use lone::LoneLeaf;
 pub use open::InputError;
 #[cfg(feature = "seed")]
@@ -38,6 +42,7 @@ pub struct Book<R: Real, G: Grid> {
     paper: PaperSpec,
     units: Units,
     settings: Settings,
+    damping_per_s: f64,
     step_us: u32,
     /// Time step of one substep, seconds.
     h: R,
@@ -94,6 +99,10 @@ impl<R: Real, G: Grid> Book<R, G> {
     /// What was asked for; `open_at` follows the reading.
     pub fn spec(&self) -> &BookSpec {
         &self.spec
+    }
+    /// The dials of its step.
+    pub fn settings(&self) -> Settings {
+        self.settings
     }
     /// Scales between the model and SI.
     pub fn units(&self) -> &Units {

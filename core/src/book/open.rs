@@ -77,7 +77,8 @@ impl<R: Real, G: Grid> Book<R, G> {
             weights: None,
         },
         units: Units { metres: 1.0, kilograms: 1.0 },
-        settings: Settings { substeps: 1, newton: 1, passes: 3 },
+        settings: Settings::STANDARD,
+        damping_per_s: 0.0,
         step_us: 16_667,
         h: R::ZERO,
         keep: R::ZERO,
@@ -140,13 +141,13 @@ impl<R: Real, G: Grid> Book<R, G> {
         self.paper = *paper;
         self.most_press = R::of(if paper.weights.is_some() { 0.0 } else { PRESS });
         self.units = Units::of_leaf(spec.width_m, spec.height_m, paper.areal_mass_gsm);
-        self.set_world(world, fidelity);
+        self.set_world(world);
         self.camera = view.camera(&self.units);
         self.bind(paper);
         let height = self.units.length(spec.height_m);
         let pull = self.gravity.norm().wide() / SEED_GRAVITY;
         self.sheet.fill(WIDTH, height, paper, &self.units, pull);
-        self.solver.forget();
+        self.set_settings(fidelity.settings())?;
         self.set_fibres(paper, height, pull);
         self.lay_blocks();
         self.now_us = 0;
@@ -188,15 +189,28 @@ impl<R: Real, G: Grid> Book<R, G> {
         self.samples.push_back(sample).map_err(|_| InputError::Full)
     }
 
-    fn set_world(&mut self, world: &WorldSpec, fidelity: Fidelity) {
-        self.settings = fidelity.settings();
+    fn set_world(&mut self, world: &WorldSpec) {
         self.step_us = world.step_us;
         self.seed = world.seed;
-        let h = f64::from(world.step_us) * 1e-6 / f64::from(self.settings.substeps);
-        self.h = R::of(h);
-        self.keep = R::of(-world.damping_per_s * h).exponential();
-        self.keep_squeezed = R::of(-(world.damping_per_s + SQUEEZE) * h).exponential();
+        self.damping_per_s = world.damping_per_s;
         self.gravity = V3(world.gravity.map(|g| R::of(self.units.length(g))));
+    }
+
+    /// Turns the dials of the step by hand, between any two steps; [`Book::open`] sets those of a fidelity.
+    ///
+    /// # Errors
+    ///
+    /// The first dial out of range; then nothing was changed.
+    pub fn set_settings(&mut self, settings: Settings) -> Result<(), SpecError> {
+        settings.check()?;
+        self.settings = settings;
+        let h = f64::from(self.step_us) * 1e-6 / f64::from(settings.substeps);
+        self.h = R::of(h);
+        self.keep = R::of(-self.damping_per_s * h).exponential();
+        self.keep_squeezed = R::of(-(self.damping_per_s + SQUEEZE) * h).exponential();
+        self.sheet.regularise(settings.delta);
+        self.solver.forget();
+        Ok(())
     }
 
     fn bind(&mut self, paper: &PaperSpec) {

@@ -109,7 +109,7 @@ impl<R: Real, G: Grid> Book<R, G> {
         let ask = self.ask();
         self.before.copy_from(&self.leaf.x);
         let mut own = nothing();
-        self.solver.step(&self.sheet, &mut self.leaf, &ask, self.settings.newton, &mut own);
+        self.solver.step(&self.sheet, &mut self.leaf, &ask, &self.settings, &mut own);
         let [left, right] = self.binding.profiles(&self.blocks);
         let done = leaf::resolve(
             &mut self.leaf,
@@ -146,9 +146,13 @@ impl<R: Real, G: Grid> Book<R, G> {
         }
     }
 
-    /// Back to the pose before the step, at rest, free of contacts.
+    /// Back to the pose before the step, at rest, free of contacts. Should that not be one of numbers either,
+    /// because memory was spoilt, the leaf lies again where it was taken up.
     fn keep_pose(&mut self) {
         self.leaf.x.copy_from(&self.before);
+        if !self.leaf.x.finite() {
+            self.lay_leaf(self.binding.from_right);
+        }
         self.leaf.v.clear();
         self.leaf.pushed.clear();
         self.leaf.holding.clear();

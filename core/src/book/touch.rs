@@ -119,7 +119,7 @@ impl<R: Real, G: Grid> Book<R, G> {
     }
 
     /// Lays the leaf on one block, at rest.
-    fn lay_leaf(&mut self, on_right: bool) {
+    pub(super) fn lay_leaf(&mut self, on_right: bool) {
         let profiles = self.binding.profiles(&self.blocks);
         let profile = &profiles[usize::from(on_right)];
         let above = profile.thickness + self.binding.half_held();

@@ -1,5 +1,7 @@
 //! What accuracy is bought.
 
+use super::error::{SpecError, within};
+
 /// Four settings on the curve of error against time, from the cheapest to the most exact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Fidelity {
@@ -31,19 +33,55 @@ impl Fidelity {
             Self::Fine => (4, 1, 3),
             Self::Reference => (16, 2, 3),
         };
-        Settings { substeps, newton, passes }
+        Settings { substeps, newton, passes, ..Settings::STANDARD }
     }
 }
 
-/// The numbers behind a [`Fidelity`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// The dials behind a [`Fidelity`]. `dogleaf cost` turns each by itself and shows what it buys.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
-    /// Steps the world's step is cut into.
+    /// Steps the world's step is cut into, 1 to 64.
     pub substeps: u32,
-    /// Newton steps in each.
+    /// Newton steps in each at most, 1 to 50.
     pub newton: u32,
-    /// Collision passes after each, at most.
+    /// No further Newton step once no coordinate moved by more than this, model units; 0 takes them all.
+    pub tolerance: f64,
+    /// Line-search trials at most, up to 30; none takes every full step unseen.
+    pub trials: u32,
+    /// Collision passes after each step, at most 3.
     pub passes: u32,
+    /// Dual regularisation `δ`, 1e-12 to 1.
+    pub delta: f64,
+    /// Solves with the same factor after each Newton step, against the gradient at the new pose; up to 5.
+    pub refinements: u32,
+}
+
+impl Settings {
+    /// Those of [`Fidelity::Standard`].
+    pub const STANDARD: Self = Self {
+        substeps: 1,
+        newton: 1,
+        tolerance: 0.0,
+        trials: 20,
+        passes: 3,
+        delta: 1e-6,
+        refinements: 0,
+    };
+
+    /// Refuses what no step could use.
+    ///
+    /// # Errors
+    ///
+    /// The first dial out of its range.
+    pub fn check(&self) -> Result<(), SpecError> {
+        within("settings.substeps", f64::from(self.substeps), 1.0, 64.0)?;
+        within("settings.newton", f64::from(self.newton), 1.0, 50.0)?;
+        within("settings.tolerance", self.tolerance, 0.0, 1.0)?;
+        within("settings.trials", f64::from(self.trials), 0.0, 30.0)?;
+        within("settings.passes", f64::from(self.passes), 0.0, 3.0)?;
+        within("settings.delta", self.delta, 1e-12, 1.0)?;
+        within("settings.refinements", f64::from(self.refinements), 0.0, 5.0)
+    }
 }
 
 /// Which equations are solved.

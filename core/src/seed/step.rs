@@ -10,9 +10,12 @@ use super::number;
 use super::pose::Pose;
 use super::settings::SeedSettings;
 use crate::real::Real;
-use crate::step::leaf::TRIALS;
+
 use crate::step::merit::Merit;
 use crate::step::{StepReport, StepStatus};
+
+/// Line-search trials at most.
+const TRIALS: u32 = 20;
 
 /// Least weight of the residual in the merit. Source: RHS19.
 const LEAST_MU: f64 = 0.05;

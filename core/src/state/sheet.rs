@@ -6,7 +6,8 @@ use crate::grid::Grid;
 use crate::real::{Num, Real};
 use crate::scene::{PaperSpec, Units, Weights};
 
-/// Dual regularisation: large enough for `f32`, small enough to leave the net developable.
+/// Dual regularisation of the blocks' chains; the leaf's is a dial, and the same unless turned:
+/// large enough for `f32`, small enough to leave the net developable.
 pub const DELTA: f64 = 1e-6;
 /// Weight of in-solve contact; 400 to 10⁶ behave alike.
 pub const CONTACT: f64 = 4000.0;
@@ -26,7 +27,6 @@ impl<R: Real, G: Grid> Sheet<R, G> {
         let (lx, lz) = (width / (G::NX - 1) as f64, height / (G::NZ - 1) as f64);
         let weights = paper.weights.unwrap_or_default();
         self.spacing = [R::of(lx), R::of(lz)];
-        self.delta = R::of(DELTA);
         let soft = Soft::of(paper, pull, units.energy(paper.rigidity_nm()));
         self.isometry =
             isometry(weights.iso_3d * soft.isometry, [lx, lz], [width / 10.0, height / 7.0]);
@@ -46,8 +46,17 @@ impl<R: Real, G: Grid> Sheet<R, G> {
             self.along.set(i, k, along);
             let cell = i + 1 < G::NX && k + 1 < G::NZ;
             self.twist.set(i, k, if cell { R::of(c) } else { R::ZERO });
-            let star = if column || row { R::ZERO } else { R::of(1.0) / R::of(DELTA).root() };
-            self.star.set(i, k, star);
+        }
+        self.regularise(DELTA);
+    }
+
+    /// Sets the dual regularisation: the stars of inner nodes weigh `1/√δ`.
+    pub fn regularise(&mut self, delta: f64) {
+        self.delta = R::of(delta);
+        let weight = R::of(1.0) / self.delta.root();
+        for (i, k) in Field::<R, G>::nodes() {
+            let inner = !border(i, G::NX) && !border(k, G::NZ);
+            self.star.set(i, k, if inner { weight } else { R::ZERO });
         }
     }
 }

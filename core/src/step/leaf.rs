@@ -11,6 +11,7 @@ use crate::grid::Grid;
 use crate::kkt::solve::Unknowns;
 use crate::kkt::{Factor, Stencil};
 use crate::real::{Lanes, Num, Real, V3};
+use crate::scene::Settings;
 use crate::state::field::{Field, blocks};
 use crate::state::{Leaf, Root, Sheet};
 
@@ -21,8 +22,6 @@ const MU_OVER_LAMBDA: f64 = 1.1;
 /// Rounding a resting leaf may lose without the step being called worse: a share of the merit plus one unit,
 /// which is the weight of a leaf times a thousandth of its width.
 const SLACK: f64 = 1e-6;
-/// Line-search trials at most.
-pub const TRIALS: u32 = 20;
 
 /// Workspace of the leaf's step: placed by the caller, nothing of it is state.
 #[derive(Debug, Clone)]
@@ -37,6 +36,8 @@ pub struct Solver<R: Real, G: Grid> {
     start: Field<R, G>,
     dx: Field<R, G>,
     unknowns: Unknowns<R, G>,
+    #[cfg(feature = "faults")]
+    pub(crate) faults: super::fault::Faults,
 }
 
 impl<R: Real, G: Grid> Solver<R, G> {
@@ -52,6 +53,8 @@ impl<R: Real, G: Grid> Solver<R, G> {
         start: Field::ZERO,
         dx: Field::ZERO,
         unknowns: Unknowns::ZERO,
+        #[cfg(feature = "faults")]
+        faults: super::fault::Faults::NONE,
     };
 
     /// Forgets the sheet it was filled for: call after changing the sheet.
@@ -63,7 +66,8 @@ impl<R: Real, G: Grid> Solver<R, G> {
     ///
     /// # Cost
     ///
-    /// `newton` factorisations, at most [`TRIALS`] merit evaluations each.
+    /// At most `newton` factorisations, each with at most `trials` merit evaluations, and as many for each
+    /// refinement.
     ///
     /// # Hard case
     ///
@@ -73,17 +77,22 @@ impl<R: Real, G: Grid> Solver<R, G> {
         sheet: &Sheet<R, G>,
         leaf: &mut Leaf<R, G>,
         ask: &Ask<R>,
-        newton: u32,
+        dials: &Settings,
         report: &mut StepReport,
     ) {
         self.prepare(sheet, ask);
         self.aim_at(leaf, ask);
-        self.start.copy_from(&leaf.x);
-        for _ in 0..newton.max(1) {
-            let status = self.newton(sheet, leaf, ask, report);
+        for _ in 0..dials.newton {
+            let mut status = self.newton(sheet, leaf, ask, dials, report);
+            for _ in 0..dials.refinements {
+                if status.failed() {
+                    break;
+                }
+                status = status.worse(self.refine(sheet, leaf, ask, dials, report));
+            }
             report.newton_steps += 1;
             report.status = report.status.worse(status);
-            if status == StepStatus::Held || status == StepStatus::Stalled {
+            if status.failed() || self.moved() < R::of(dials.tolerance) {
                 break;
             }
         }
@@ -106,13 +115,35 @@ impl<R: Real, G: Grid> Solver<R, G> {
         }
     }
 
+    /// Eq. 4: matrix, factor, step.
     fn newton(
         &mut self,
         sheet: &Sheet<R, G>,
         leaf: &mut Leaf<R, G>,
         ask: &Ask<R>,
+        dials: &Settings,
         report: &mut StepReport,
     ) -> StepStatus {
+        self.assemble(sheet, leaf, ask);
+        self.factor.factor(&self.stencil);
+        report.regularised += self.factor.regularised;
+        self.take(sheet, leaf, ask, dials, report)
+    }
+
+    /// A step with the factor of the last pose: cheap, and it converges where the pose has hardly changed.
+    fn refine(
+        &mut self,
+        sheet: &Sheet<R, G>,
+        leaf: &mut Leaf<R, G>,
+        ask: &Ask<R>,
+        dials: &Settings,
+        report: &mut StepReport,
+    ) -> StepStatus {
+        self.assemble(sheet, leaf, ask);
+        self.take(sheet, leaf, ask, dials, report)
+    }
+
+    fn assemble(&mut self, sheet: &Sheet<R, G>, leaf: &Leaf<R, G>, ask: &Ask<R>) {
         self.inertia(sheet, leaf, ask);
         assemble(
             sheet,
@@ -124,16 +155,37 @@ impl<R: Real, G: Grid> Solver<R, G> {
             &mut self.gradient,
             &mut self.jacobian,
         );
-        self.factor.factor(&self.stencil);
-        report.regularised += self.factor.regularised;
+    }
+
+    /// Solves for the step and takes it.
+    fn take(
+        &mut self,
+        sheet: &Sheet<R, G>,
+        leaf: &mut Leaf<R, G>,
+        ask: &Ask<R>,
+        dials: &Settings,
+        report: &mut StepReport,
+    ) -> StepStatus {
         self.gather();
         self.factor.solve(&mut self.unknowns);
+        #[cfg(feature = "faults")]
+        self.faults.spoil(&mut self.unknowns);
         self.scatter();
         if !self.dx.finite() {
             return StepStatus::Held;
         }
+        if dials.trials == 0 {
+            self.start.copy_from(&leaf.x);
+            self.try_step(leaf, R::of(1.0));
+            return StepStatus::Converged;
+        }
         let mu = R::of(LEAST_MU).larger(R::of(MU_OVER_LAMBDA) * self.largest_multiplier(sheet));
-        self.line_search(sheet, leaf, ask, mu, report)
+        self.line_search(sheet, leaf, ask, mu, dials.trials, report)
+    }
+
+    /// Largest change of a coordinate in the last full step.
+    fn moved(&self) -> R {
+        self.dx.raw().iter().fold(R::ZERO, |most, d| most.larger(d.magnitude()))
     }
 
     /// `M (x - x̃) / h²` into `dx`, which is free until the solve.
@@ -194,29 +246,35 @@ impl<R: Real, G: Grid> Solver<R, G> {
         largest.largest() / sheet.delta.root()
     }
 
-    /// Halves the step until the merit is no worse, at most [`TRIALS`] times.
+    /// Halves the step until the merit is no worse, at most `trials` times.
     fn line_search(
         &mut self,
         sheet: &Sheet<R, G>,
         leaf: &mut Leaf<R, G>,
         ask: &Ask<R>,
         mu: R,
+        trials: u32,
         report: &mut StepReport,
     ) -> StepStatus {
         let before = merit(sheet, leaf, &leaf.x, &self.aim, ask).at(mu);
         let allowed = before + (before.magnitude() + R::of(1.0)) * R::of(SLACK);
         self.start.copy_from(&leaf.x);
         let mut share = R::of(1.0);
-        for trial in 0..TRIALS {
+        for trial in 0..trials {
             self.try_step(leaf, share);
             let after = merit(sheet, leaf, &leaf.x, &self.aim, ask).at(mu);
+            #[cfg(feature = "faults")]
+            if self.faults.no_better() {
+                share *= R::of(0.5);
+                continue;
+            }
             if after <= allowed {
                 report.cuts += trial;
                 return if trial == 0 { StepStatus::Converged } else { StepStatus::Reduced };
             }
             share *= R::of(0.5);
         }
-        report.cuts += TRIALS;
+        report.cuts += trials;
         leaf.x.copy_from(&self.start);
         if before.finite() { StepStatus::Stalled } else { StepStatus::Held }
     }

@@ -14,6 +14,8 @@ pub mod ask;
 pub mod constant;
 pub mod jacobian;
 mod bend;
+#[cfg(feature = "faults")]
+mod fault;
 pub mod assemble;
 pub mod leaf;
 pub mod merit;

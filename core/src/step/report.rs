@@ -25,6 +25,10 @@ impl StepStatus {
     pub fn worse(self, other: Self) -> Self {
         if (self as u8) < (other as u8) { other } else { self }
     }
+    /// The pose was not moved.
+    pub fn failed(self) -> bool {
+        matches!(self, Self::Stalled | Self::Held | Self::Recovered)
+    }
     /// Lower-case name, as it stands in JSON.
     pub fn name(self) -> &'static str {
         match self {
