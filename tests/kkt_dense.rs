@@ -2,13 +2,12 @@
 //! Cholesky solves; the pattern holds every entry once; a bad pivot is replaced and counted.
 
 use dogleaf_core::grid::{G6x5, G8x6, G11x8, G12x9, G16x12, G22x16, G32x24, Grid, Store};
+use dogleaf_core::kkt::Factor;
 use dogleaf_core::kkt::solve::Unknowns;
-use dogleaf_core::kkt::stencil::{NEIGHBOURS, pair};
-use dogleaf_core::kkt::{Factor, Stencil};
 use dogleaf_core::real::{LANES, Real};
 use dogleaf_core::scene::PaperSpec;
 use dogleaf_tests::dense::Dense;
-use dogleaf_tests::posed::{Posed, free, seed_paper};
+use dogleaf_tests::posed::{Posed, seed_paper};
 use dogleaf_tests::random::Pcg;
 use dogleaf_tests::stack::roomy;
 use std::collections::HashSet;
@@ -29,34 +28,37 @@ macro_rules! on_every_grid {
 }
 
 /// Off-diagonal noise, and a diagonal that outweighs its row.
-fn dominant<R: Real, G: Grid>(random: &mut Pcg) -> Stencil<R, G> {
-    let mut s = Stencil::ZERO;
-    for (i, k) in free::<R, G>() {
-        for n in 0..NEIGHBOURS.len() {
-            for c in 0..3 {
-                for d in 0..3 {
-                    let value =
-                        random.within(-1.0, 1.0) + if n == 0 && c == d { 45.0 } else { 0.0 };
-                    s.add(n, c, d, i, k, R::of(value));
-                }
-            }
-        }
+fn dominant<R: Real, G: Grid>(random: &mut Pcg) -> Factor<R, G> {
+    let mut s = empty();
+    for (row, column) in pattern(&s) {
+        let own = if row == column { 45.0 } else { 0.0 };
+        s.set(row, column, R::of(random.within(-1.0, 1.0) + own));
     }
     s
 }
 
-fn diagonal<R: Real, G: Grid>(mut value: impl FnMut(usize) -> f64) -> Stencil<R, G> {
-    let mut s = Stencil::ZERO;
-    for (n, (i, k)) in free::<R, G>().enumerate() {
-        (0..3).for_each(|c| s.add(pair::SELF, c, c, i, k, R::of(value(3 * n + c))));
-    }
+fn empty<R: Real, G: Grid>() -> Factor<R, G> {
+    let mut s = Factor::ZERO;
+    s.clear();
     s
 }
 
-fn solve<R: Real, G: Grid>(s: &Stencil<R, G>, b: &[f64]) -> (Vec<f64>, u32) {
-    let (mut factor, mut x) = (Factor::<R, G>::ZERO, Unknowns::<R, G>::ZERO);
+fn pattern<R: Real, G: Grid>(s: &Factor<R, G>) -> Vec<(usize, usize)> {
+    let mut places = Vec::new();
+    s.entries(|row, column, _| places.push((row, column)));
+    places
+}
+
+fn diagonal<R: Real, G: Grid>(mut value: impl FnMut(usize) -> f64) -> Factor<R, G> {
+    let mut s = empty();
+    (0..G::UNKNOWNS).for_each(|n| s.set(n, n, R::of(value(n))));
+    s
+}
+
+fn solve<R: Real, G: Grid>(s: &Factor<R, G>, b: &[f64]) -> (Vec<f64>, u32) {
+    let (mut factor, mut x) = (s.clone(), Unknowns::<R, G>::ZERO);
     x.numbers_mut().iter_mut().zip(b).for_each(|(x, &b)| *x = R::of(b));
-    factor.factor(s);
+    factor.decompose();
     factor.solve(&mut x);
     let padding = &x.numbers()[G::UNKNOWNS..];
     assert!(padding.iter().all(|&v| v == R::ZERO), "the padding stays empty");
@@ -76,7 +78,7 @@ fn left_over(dense: &Dense, x: &[f64], b: &[f64]) -> f64 {
 fn agrees_with_dense<R: Real, G: Grid>() {
     let mut random = Pcg::new(40);
     let s = dominant::<R, G>(&mut random);
-    let dense = Dense::of_stencil(&s);
+    let dense = Dense::of_matrix(&s);
     let b: Vec<f64> = random.numbers(G::UNKNOWNS).iter().map(|&v| R::of(v).wide()).collect();
     let expected = dense.cholesky().expect("it is dominant").solve(&b);
     let (found, replaced) = solve(&s, &b);
@@ -96,7 +98,7 @@ fn leaves_nothing_over<R: Real, G: Grid>() {
     let mut random = Pcg::new(41);
     for paper in [PaperSpec::default(), seed_paper()] {
         let (s, _) = Posed::<R, G>::curved(&paper, &mut random).assembled();
-        let dense = Dense::of_stencil(&s);
+        let dense = Dense::of_matrix(&s);
         let b: Vec<f64> = random.numbers(G::UNKNOWNS).iter().map(|&v| R::of(v).wide()).collect();
         let (x, replaced) = solve(&s, &b);
         let share = left_over(&dense, &x, &b);
@@ -116,7 +118,7 @@ fn a_wrong_solution_leaves_something_over() {
     let b = Pcg::new(43).numbers(G6x5::UNKNOWNS);
     let (mut x, _) = solve(&s, &b);
     x[17] *= 1.000_001;
-    assert!(left_over(&Dense::of_stencil(&s), &x, &b) > 20.0 * f64::EPSILON);
+    assert!(left_over(&Dense::of_matrix(&s), &x, &b) > 20.0 * f64::EPSILON);
 }
 
 fn pattern_holds<R: Real, G: Grid>() {
@@ -185,10 +187,9 @@ fn each_bad_pivot_is_replaced_and_counted() {
 }
 
 /// Ones but for the pair of unknowns 7 and 8, which is `[[1, off], [off, 1]]`: across two panels.
-fn paired<R: Real, G: Grid>(off: f64) -> Stencil<R, G> {
+fn paired<R: Real, G: Grid>(off: f64) -> Factor<R, G> {
     let mut s = diagonal(|_| 1.0);
-    s.add(pair::SELF, 2, 1, 1, 2, R::of(off));
-    s.add(pair::SELF, 1, 2, 1, 2, R::of(off));
+    s.set(8, 7, R::of(off));
     s
 }
 
@@ -211,8 +212,7 @@ fn a_pivot_left_over_by_rounding_is_replaced_in_every_place_of_a_panel() {
     let pairs = [(0, 1, 0), (1, 1, 0), (2, 2, 1), (4, 2, 1)];
     for (node, later, earlier) in pairs {
         let mut s = diagonal::<f64, G6x5>(|_| 1.0);
-        s.add(pair::SELF, later, earlier, 1, node, 1.0 - 1e-9);
-        s.add(pair::SELF, earlier, later, 1, node, 1.0 - 1e-9);
+        s.set(3 * node + later, 3 * node + earlier, 1.0 - 1e-9);
         let (_, replaced) = solve(&s, &vec![1.0; G6x5::UNKNOWNS]);
         assert_eq!(replaced, 1, "unknowns {} and {}", 3 * node + earlier, 3 * node + later);
     }
@@ -220,8 +220,11 @@ fn a_pivot_left_over_by_rounding_is_replaced_in_every_place_of_a_panel() {
 
 #[test]
 fn the_count_of_bad_pivots_begins_anew() {
-    let mut factor = Factor::<f64, G6x5>::ZERO;
-    factor.factor(&paired(2.0));
-    factor.factor(&paired(0.5));
+    let mut factor = paired::<f64, G6x5>(2.0);
+    factor.decompose();
+    assert_eq!(factor.regularised, 1);
+    factor.clear();
+    (0..G6x5::UNKNOWNS).for_each(|n| factor.set(n, n, 1.0));
+    factor.decompose();
     assert_eq!(factor.regularised, 0);
 }

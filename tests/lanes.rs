@@ -3,7 +3,7 @@
 
 use dogleaf_core::constraint::dog::Star;
 use dogleaf_core::potential::{bending, contact, isometry};
-use dogleaf_core::real::{LANES, Lanes, Num, Real, V2, V3};
+use dogleaf_core::real::{Eight, LANES, Lanes, Num, Real, V2, V3};
 use dogleaf_tests::random::Pcg;
 
 /// Random cases asked of each operation.
@@ -41,13 +41,13 @@ fn bits<R: Real>(values: [R; LANES]) -> [u64; LANES] {
 /// Compares an operation of three operands on lanes with the same on each lane alone.
 fn same<R: Real>(
     name: &str,
-    lanes: impl Fn([R::Lanes; 3]) -> R::Lanes,
+    lanes: impl Fn([R::Eight; 3]) -> R::Eight,
     scalar: impl Fn([R; 3]) -> R,
 ) {
     let mut random = Pcg::new(50);
     for _ in 0..CASES {
         let [a, b, c] = [(); 3].map(|()| eight::<R>(&mut random));
-        let together = lanes([a, b, c].map(R::Lanes::from_array)).array();
+        let together = lanes([a, b, c].map(R::Eight::from_array)).array();
         let alone = core::array::from_fn(|n| scalar([a[n], b[n], c[n]]));
         let (name, scalar) = (name, R::NAME);
         assert_eq!(bits(together), bits(alone), "{scalar} {name}: {a:?} {b:?} {c:?}");
@@ -80,11 +80,11 @@ same!(picks_are_the_same, |[a, b, c]| Num::pick_less(a, b, c, a));
 fn constants<R: Real>() {
     for value in [0.0, -0.0, 0.1, -1e-42, 1e300, f64::INFINITY, f64::NAN] {
         let expected = [R::of(value).bits(); LANES];
-        assert_eq!(bits(R::Lanes::of(value).array()), expected, "{value}");
-        assert_eq!(bits(R::Lanes::all(R::of(value)).array()), expected, "{value}");
+        assert_eq!(bits(R::Eight::of(value).array()), expected, "{value}");
+        assert_eq!(bits(R::Eight::all(R::of(value)).array()), expected, "{value}");
     }
-    assert_eq!(bits(R::Lanes::zero().array()), [R::ZERO.bits(); LANES], "zero");
-    assert_eq!(bits(R::Lanes::one().array()), [R::of(1.0).bits(); LANES], "one");
+    assert_eq!(bits(R::Eight::zero().array()), [R::ZERO.bits(); LANES], "zero");
+    assert_eq!(bits(R::Eight::one().array()), [R::of(1.0).bits(); LANES], "one");
 }
 
 #[test]
@@ -100,7 +100,7 @@ fn order_of_sums<R: Real>() {
         let plain = core::array::from_fn(|_| R::of(random.within(-2.0, 2.0) / 3.0));
         let v = if case % 2 == 0 { plain } else { eight::<R>(&mut random) };
         let [a, b, c, d, e, f, g, h] = v;
-        let found = R::Lanes::from_array(v).sum();
+        let found = R::Eight::from_array(v).sum();
         let expected = ((a + b) + (c + d)) + ((e + f) + (g + h));
         assert_eq!(found.bits(), expected.bits(), "{v:?}");
         let in_a_row = v[1..].iter().fold(a, |s, &x| s + x);
@@ -121,7 +121,7 @@ fn order_of_largest<R: Real>() {
         let v = eight::<R>(&mut random);
         let [a, b, c, d, e, f, g, h] = v;
         let expected = a.larger(b).larger(c.larger(d)).larger(e.larger(f).larger(g.larger(h)));
-        assert_eq!(R::Lanes::from_array(v).largest().bits(), expected.bits(), "{v:?}");
+        assert_eq!(R::Eight::from_array(v).largest().bits(), expected.bits(), "{v:?}");
     }
 }
 
@@ -130,7 +130,7 @@ fn the_largest_lane_is_found_in_the_order_written_down() {
     order_of_largest::<f32>();
     order_of_largest::<f64>();
     let plain = [3.0, -7.0, 2.0, 9.5, -0.0, 9.25, 1.0, 0.0];
-    assert_eq!(<f64 as Real>::Lanes::from_array(plain).largest(), 9.5);
+    assert_eq!(<f64 as Real>::Eight::from_array(plain).largest(), 9.5);
 }
 
 /// `self` only where the comparison holds; NaN and equal zeros give the other.
@@ -161,17 +161,17 @@ fn the_other_is_chosen_where_nothing_is_larger() {
 fn loads_and_stores<R: Real>() {
     let from: Vec<R> = (0..12).map(|n| R::of(f64::from(n))).collect();
     for at in 0..20 {
-        let loaded = R::Lanes::load(&from, at).array();
+        let loaded = R::Eight::load(&from, at).array();
         let inside = at + LANES <= from.len();
         for (n, v) in loaded.into_iter().enumerate() {
             assert_eq!(v, if inside { from[at + n] } else { R::ZERO }, "lane {n} from {at}");
         }
         let mut to = vec![R::of(-1.0); 12];
-        R::Lanes::load(&from, 2).store(&mut to, at);
+        R::Eight::load(&from, 2).store(&mut to, at);
         let written = to.iter().filter(|v| **v != R::of(-1.0)).count();
         assert_eq!(written, if inside { LANES } else { 0 }, "lanes stored at {at}");
     }
-    assert_eq!(R::Lanes::load(&from, usize::MAX).array(), [R::ZERO; LANES], "far outside");
+    assert_eq!(R::Eight::load(&from, usize::MAX).array(), [R::ZERO; LANES], "far outside");
 }
 
 #[test]
@@ -183,7 +183,7 @@ fn reading_outside_gives_zeros_and_writing_there_does_nothing() {
 fn transposes<R: Real>() {
     let mut random = Pcg::new(53);
     let rows: [[R; LANES]; LANES] = core::array::from_fn(|_| eight(&mut random));
-    let columns = R::Lanes::transpose(rows.map(R::Lanes::from_array)).map(|c| c.array());
+    let columns = R::Eight::transpose(rows.map(R::Eight::from_array)).map(|c| c.array());
     for (r, row) in rows.iter().enumerate() {
         for (c, value) in row.iter().enumerate() {
             assert_eq!(columns[c][r].bits(), value.bits(), "row {r}, column {c}");
@@ -215,7 +215,7 @@ fn whole_kernels<R: Real>() {
     for _ in 0..CASES {
         let rows: [[V3<R>; 3]; LANES] =
             core::array::from_fn(|_| [(); 3].map(|()| V3([(); 3].map(|()| any(&mut random)))));
-        let lanes = |n: usize, c: usize| R::Lanes::from_array(rows.map(|r| r[n].0[c]));
+        let lanes = |n: usize, c: usize| R::Eight::from_array(rows.map(|r| r[n].0[c]));
         let together = kernels(core::array::from_fn(|n| V3([0, 1, 2].map(|c| lanes(n, c)))));
         for (lane, row) in rows.into_iter().enumerate() {
             let found = together.iter().map(|v| v.array()[lane].bits());

@@ -14,6 +14,7 @@ pub mod collision;
 pub mod hand;
 pub mod event;
 pub mod book;
+pub mod selftest;
 #[cfg(feature = "seed")]
 pub mod seed;
 pub mod mesh;

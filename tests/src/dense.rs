@@ -1,7 +1,7 @@
 //! A dense symmetric matrix and its Cholesky factor, in `f64`: the plainest oracle there is.
 
 use dogleaf_core::grid::Grid;
-use dogleaf_core::kkt::Stencil;
+use dogleaf_core::kkt::Factor;
 use dogleaf_core::real::Real;
 
 /// A square matrix, row by row.
@@ -22,8 +22,8 @@ impl Dense {
         assert_eq!(size * size, numbers.len(), "a square matrix");
         Self { size, numbers }
     }
-    /// A stencil's lower triangle, mirrored.
-    pub fn of_stencil<R: Real, G: Grid>(s: &Stencil<R, G>) -> Self {
+    /// The lower triangle of a matrix not yet factored, mirrored.
+    pub fn of_matrix<R: Real, G: Grid>(s: &Factor<R, G>) -> Self {
         let mut dense = Self::zeros(G::UNKNOWNS);
         s.entries(|row, column, value| {
             *dense.entry(row, column) = value.wide();

@@ -2,7 +2,7 @@
 
 use crate::random::Pcg;
 use dogleaf_core::grid::Grid;
-use dogleaf_core::kkt::Stencil;
+use dogleaf_core::kkt::{Factor, Stencil};
 use dogleaf_core::real::{Real, V2, V3};
 use dogleaf_core::scene::units::WIDTH;
 use dogleaf_core::scene::{PaperSpec, Units, Weights};
@@ -10,7 +10,7 @@ use dogleaf_core::state::{Field, Grab, Leaf, Root, Sheet};
 use dogleaf_core::step::Ask;
 use dogleaf_core::step::assemble::assemble;
 use dogleaf_core::step::constant::Constant;
-use dogleaf_core::step::jacobian::Jacobian;
+use dogleaf_core::step::matrix::Matrix;
 use dogleaf_core::step::merit::merit;
 
 /// Height of the leaf over its width.
@@ -95,8 +95,8 @@ impl<R: Real, G: Grid> Posed<R, G> {
     }
 
     /// Matrix and gradient at the pose, as a step assembles them.
-    pub fn assembled(&self) -> (Stencil<R, G>, Field<R, G>) {
-        let (mut s, mut g, mut j) = (Stencil::ZERO, Field::ZERO, Jacobian::ZERO);
+    pub fn assembled(&self) -> (Factor<R, G>, Field<R, G>) {
+        let (mut factor, mut g) = (Factor::ZERO, Field::ZERO);
         let mut constant = Constant::ZERO;
         constant.fill(&self.sheet, self.ask.h, self.ask.root);
         let mut inertia = Field::ZERO;
@@ -105,8 +105,11 @@ impl<R: Real, G: Grid> Posed<R, G> {
             let away = self.leaf.x.at(i, k) - self.aim.at(i, k);
             inertia.set(i, k, away * (self.sheet.mass.at(i, k) * rate));
         }
-        assemble(&self.sheet, &self.leaf, &constant, &inertia, &self.ask, &mut s, &mut g, &mut j);
-        (s, g)
+        let mut stencil = Stencil::ZERO;
+        let (constant, stencil) = (&constant, &mut stencil);
+        let mut matrix = Matrix { constant, stencil, factor: &mut factor };
+        assemble(&self.sheet, &self.leaf, &inertia, &self.ask, &mut matrix, &mut g);
+        (factor, g)
     }
 
     /// `Φ + ‖C‖² / 2δ` at the pose, of the line search's merit.

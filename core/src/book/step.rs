@@ -5,7 +5,7 @@ use crate::collision::{block, leaf};
 use crate::grid::Grid;
 use crate::real::{Lanes, Num, Real, V2};
 use crate::state::Root;
-use crate::state::field::{blocks, row_mask};
+use crate::state::field::groups;
 use crate::state::sheet::{CONTACT, DELTA};
 use crate::step::strip::{StripAsk, step as step_strip};
 use crate::step::{Ask, StepReport, StepStatus};
@@ -171,9 +171,9 @@ impl<R: Real, G: Grid> Book<R, G> {
     fn in_band(&self) -> bool {
         let [across, along] = self.sheet.spacing.map(|l| R::Lanes::all(R::of(1.0) / (l * l)));
         let (mut least, mut most) = (R::Lanes::one(), R::Lanes::one());
-        for k in blocks::<G>() {
-            let inside = row_mask::<R>(k, 0, G::NZ);
-            let between = row_mask::<R>(k, 0, G::NZ - 1);
+        for k in groups::<R, G>() {
+            let inside = R::Lanes::mask(k, 0, G::NZ);
+            let between = R::Lanes::mask(k, 0, G::NZ - 1);
             for i in 1..G::NX {
                 let x = self.leaf.x.rows(i, k, 0);
                 let one = R::Lanes::one();

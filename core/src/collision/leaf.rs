@@ -1,4 +1,4 @@
-//! The leaf against both page blocks, eight rows at a time.
+//! The leaf against both page blocks, as many rows at a time as travel together.
 //!
 //! Nodes against the blocks' edges, and the blocks' nodes against the leaf's edges. The leaf belongs
 //! above both midlines from the start, so the side of a push never has to be guessed: a node that was
@@ -9,9 +9,12 @@
 
 use super::profile::{Profile, Segment};
 use crate::grid::Grid;
-use crate::real::{LANES, Lanes, Num, Real, V2, V3};
-use crate::state::field::blocks;
+use crate::real::{Lanes, Num, Real, V2, V3};
+use crate::state::field::groups;
 use crate::state::{Field, Leaf};
+
+/// A node whose squared distance is more than this much above the clearance's is clear of the block.
+const MARGIN: f64 = 1.001;
 
 /// What a pass did.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -22,7 +25,7 @@ pub struct Outcome {
     pub pushed: u32,
 }
 
-/// The deepest overlap found so far for eight nodes.
+/// The deepest overlap found so far.
 #[derive(Debug, Clone, Copy)]
 struct Push<T> {
     depth: T,
@@ -59,8 +62,12 @@ pub fn resolve<R: Real, G: Grid>(
 /// Nodes of the leaf against the edges of the blocks. Answers whether any moved.
 fn nodes<R: Real, G: Grid>(leaf: &mut Leaf<R, G>, sides: [&Profile<R>; 2], half: R) -> bool {
     let mut moved = false;
+    let top = sides.iter().fold(R::ZERO, |top, side| top.larger(side.top() + side.thickness));
     for i in 1..G::NX {
-        for k in blocks::<G>() {
+        if lowest(&leaf.x, i) > top + half {
+            continue;
+        }
+        for k in groups::<R, G>() {
             let x = leaf.x.rows(i, k, 0);
             let zero = R::Lanes::zero();
             let mut push = Push { depth: zero, direction: V2::zero() };
@@ -88,6 +95,12 @@ fn nodes<R: Real, G: Grid>(leaf: &mut Leaf<R, G>, sides: [&Profile<R>; 2], half:
     moved
 }
 
+/// Height of the lowest node of column `i`: a column that is high enough touches nothing.
+fn lowest<R: Real, G: Grid>(x: &Field<R, G>, i: usize) -> R {
+    let first = x.at(i, 0).0[1];
+    (1..G::NZ).fold(first, |low, k| low.smaller(x.at(i, k).0[1]))
+}
+
 /// The floor between the blocks: below the binding's level the spine is solid.
 #[inline(always)]
 fn spine<R: Real>(
@@ -110,31 +123,40 @@ fn spine<R: Real>(
 /// How deep points lie below the curve `clearance` above a block, and which way is out.
 #[inline(always)]
 fn deepest<R: Real>(side: &Profile<R>, p: V2<R::Lanes>, clearance: R) -> Push<R::Lanes> {
-    let far = R::Lanes::of(1e9);
-    let mut nearest_sq = far;
-    let mut signed = far;
-    let mut out = V2::zero();
+    let zero = R::Lanes::zero();
+    let mut nearest_sq = R::Lanes::of(1e18);
+    let mut nearest = V2::zero();
+    let mut normal = V2::zero();
+    let mut side_of = R::Lanes::one();
     let last = side.segments.len() - 1;
     for (n, s) in side.segments.iter().enumerate() {
         let (v, above) = from_segment::<R>(s, p, n == 0, n == last);
         let d_sq = v.norm_sq();
-        let length = d_sq.root();
-        let sign =
-            R::Lanes::pick_less(above, R::Lanes::zero(), R::Lanes::of(-1.0), R::Lanes::one());
-        let scale = sign / length.larger(R::Lanes::of(1e-9));
-        let tiny = R::Lanes::of(1e-6);
-        let normal = s.normal.0.map(R::Lanes::all);
-        let dir =
-            |c: usize, v: R::Lanes| R::Lanes::pick_less(length, tiny, normal[c.min(1)], v * scale);
         let better = |new, old| R::Lanes::pick_less(d_sq, nearest_sq, new, old);
-        out = V2([better(dir(0, v.0[0]), out.0[0]), better(dir(1, v.0[1]), out.0[1])]);
-        signed = better(length * sign, signed);
+        let n = s.normal.0.map(R::Lanes::all);
+        nearest = V2([better(v.0[0], nearest.0[0]), better(v.0[1], nearest.0[1])]);
+        normal = V2([better(n[0], normal.0[0]), better(n[1], normal.0[1])]);
+        side_of = better(above, side_of);
         nearest_sq = better(d_sq, nearest_sq);
     }
-    let depth = R::Lanes::all(clearance) - signed;
+    // Most nodes are further away than that: no root is needed to see it, with a margin for its rounding.
+    let reach = R::Lanes::all(clearance * clearance * R::of(MARGIN));
+    let close = R::Lanes::pick_less(nearest_sq, reach, R::Lanes::one(), zero);
+    let below = R::Lanes::pick_less(side_of, zero, R::Lanes::one(), zero);
+    if (close + below).largest() <= R::ZERO {
+        return Push { depth: zero, direction: V2::zero() };
+    }
+    let length = nearest_sq.root();
+    let sign = R::Lanes::pick_less(side_of, zero, R::Lanes::of(-1.0), R::Lanes::one());
+    let scale = sign / length.larger(R::Lanes::of(1e-9));
+    let tiny = R::Lanes::of(1e-6);
+    let direction =
+        |normal: R::Lanes, v: R::Lanes| R::Lanes::pick_less(length, tiny, normal, v * scale);
+    let out = V2([direction(normal.0[0], nearest.0[0]), direction(normal.0[1], nearest.0[1])]);
+    let depth = R::Lanes::all(clearance) - length * sign;
     // Below the binding's level on the far side of the fan there is no paper of this block.
     let beside = in_shadow::<R>(side, p, out);
-    Push { depth: depth.larger(R::Lanes::zero()) * beside, direction: out }
+    Push { depth: depth.larger(zero) * beside, direction: out }
 }
 
 /// Vector from the nearest point of a segment, and its component along the upward normal.
@@ -175,8 +197,12 @@ fn edges<R: Real, G: Grid>(leaf: &mut Leaf<R, G>, sides: [&Profile<R>; 2], half:
         let clearance = R::Lanes::all(side.thickness + half);
         for s in side.segments.iter().skip(1) {
             let node = V2([s.from.0[0] * R::of(sign), s.from.0[1]]);
+            let near = node.0[1] + (side.thickness + half) * R::of(MARGIN);
             for i in 1..G::NX - 1 {
-                for k in blocks::<G>() {
+                if lowest(&leaf.x, i) > near && lowest(&leaf.x, i + 1) > near {
+                    continue;
+                }
+                for k in groups::<R, G>() {
                     moved |= edge::<R, G>(leaf, i, k, node, R::of(sign), clearance);
                 }
             }
@@ -203,6 +229,11 @@ fn edge<R: Real, G: Grid>(
     let zero = R::Lanes::zero();
     // An edge that runs inwards above the block is folded over it: it has no underside here.
     let outward = e.0[0] * R::Lanes::all(sign);
+    let (one, less) = (R::Lanes::one(), R::Lanes::pick_less);
+    let beside = less(zero, t, less(t, one, less(zero, outward, one, zero), zero), zero);
+    if beside.largest() <= R::ZERO {
+        return false;
+    }
     let normal = e.left() * (R::Lanes::all(sign) / length_sq.root());
     let above = normal.dot(to);
     let along = R::Lanes::pick_less(t, R::Lanes::one(), clearance + above, zero);
@@ -222,10 +253,9 @@ fn edge<R: Real, G: Grid>(
 
 /// Remembers which nodes were moved, and where to: the contacts of the next solve. Answers how many.
 fn remember<R: Real, G: Grid>(leaf: &mut Leaf<R, G>, before: &Field<R, G>) -> u32 {
-    let mut pushed = R::ZERO;
     let (zero, one) = (R::Lanes::zero(), R::Lanes::one());
     for i in 0..G::NX {
-        for k in blocks::<G>() {
+        for k in groups::<R, G>() {
             let x = leaf.x.rows(i, k, 0).xy();
             let shift = x - before.rows(i, k, 0).xy();
             let length = shift.norm();
@@ -233,9 +263,7 @@ fn remember<R: Real, G: Grid>(leaf: &mut Leaf<R, G>, before: &Field<R, G>) -> u3
             let on = R::Lanes::pick_less(R::Lanes::of(1e-9), length, one, zero);
             leaf.pushed.set_rows(i, k, 0, V3([n.0[0] * on, n.0[1] * on, n.dot(x) * on]));
             leaf.holding.set_rows(i, k, on);
-            pushed += on.sum();
         }
     }
-    let _ = LANES;
-    pushed.wide() as u32
+    Field::<R, G>::nodes().filter(|&(i, k)| leaf.holding.at(i, k) > R::ZERO).count() as u32
 }

@@ -49,6 +49,14 @@ impl<R: Real> Profile<R> {
         Self { segments, thickness }
     }
 
+    /// Height of the midline's highest point.
+    pub fn top(&self) -> R {
+        self.segments.iter().fold(R::ZERO, |top, s| {
+            let end = s.from + s.along * s.length;
+            top.larger(s.from.0[1]).larger(end.0[1])
+        })
+    }
+
     /// Where the top, `above` the midline, begins at the binding.
     pub fn root(&self, above: R) -> V2<R> {
         self.segments[0].from - V2([above, R::ZERO])

@@ -50,19 +50,13 @@ pub trait Grid: Copy + Debug + Default + PartialEq + Send + Sync + 'static {
     type Scalars<R: Real>: Store<R>;
     /// Three numbers a node.
     type Vectors<R: Real>: Store<R>;
-    /// Three rows of four nodes of three numbers a star.
-    type Jacobian<R: Real>: Store<R>;
-    /// Seven neighbours of nine numbers a node: the matrix before it is factored.
+    /// Seven neighbours of nine numbers for the nodes of three columns: the matrix while it grows.
     type Stencil<R: Real>: Store<R>;
-    /// The factor.
+    /// The matrix, then its factor.
     type Factor<R: Real>: Store<R>;
-    /// Inverses of the factor's diagonal blocks.
-    type Inverses<R: Real>: Store<R>;
     /// One number an unknown.
     type Unknowns<R: Real>: Store<R>;
 
-    /// Groups of eight rows in a column.
-    const BLOCKS: usize = Self::KP / LANES;
     /// Unknown coordinates: the column at the spine is held.
     const UNKNOWNS: usize = 3 * Self::NZ * (Self::NX - 1);
 }

@@ -27,10 +27,8 @@ impl Grid for G6x5 {
     ];
     type Scalars<R: Real> = [R; 64];
     type Vectors<R: Real> = [R; 160];
-    type Jacobian<R: Real> = [R; 1744];
-    type Stencil<R: Real> = [R; 3040];
+    type Stencil<R: Real> = [R; 1528];
     type Factor<R: Real> = [R; 2560];
-    type Inverses<R: Real> = [R; 640];
     type Unknowns<R: Real> = [R; 80];
 }
 
@@ -64,10 +62,8 @@ impl Grid for G8x6 {
     ];
     type Scalars<R: Real> = [R; 80];
     type Vectors<R: Real> = [R; 208];
-    type Jacobian<R: Real> = [R; 2320];
-    type Stencil<R: Real> = [R; 4048];
+    type Stencil<R: Real> = [R; 1528];
     type Factor<R: Real> = [R; 5184];
-    type Inverses<R: Real> = [R; 1024];
     type Unknowns<R: Real> = [R; 128];
 }
 
@@ -115,10 +111,8 @@ impl Grid for G11x8 {
     ];
     type Scalars<R: Real> = [R; 104];
     type Vectors<R: Real> = [R; 280];
-    type Jacobian<R: Real> = [R; 3184];
-    type Stencil<R: Real> = [R; 5560];
+    type Stencil<R: Real> = [R; 1528];
     type Factor<R: Real> = [R; 12992];
-    type Inverses<R: Real> = [R; 1920];
     type Unknowns<R: Real> = [R; 240];
 }
 
@@ -174,10 +168,8 @@ impl Grid for G12x9 {
     ];
     type Scalars<R: Real> = [R; 208];
     type Vectors<R: Real> = [R; 592];
-    type Jacobian<R: Real> = [R; 6928];
-    type Stencil<R: Real> = [R; 12112];
+    type Stencil<R: Real> = [R; 3040];
     type Factor<R: Real> = [R; 17536];
-    type Inverses<R: Real> = [R; 2432];
     type Unknowns<R: Real> = [R; 304];
 }
 
@@ -263,10 +255,8 @@ impl Grid for G16x12 {
     ];
     type Scalars<R: Real> = [R; 272];
     type Vectors<R: Real> = [R; 784];
-    type Jacobian<R: Real> = [R; 9232];
-    type Stencil<R: Real> = [R; 16144];
+    type Stencil<R: Real> = [R; 3040];
     type Factor<R: Real> = [R; 42624];
-    type Inverses<R: Real> = [R; 4352];
     type Unknowns<R: Real> = [R; 544];
 }
 
@@ -410,10 +400,8 @@ impl Grid for G22x16 {
     ];
     type Scalars<R: Real> = [R; 368];
     type Vectors<R: Real> = [R; 1072];
-    type Jacobian<R: Real> = [R; 12688];
-    type Stencil<R: Real> = [R; 22192];
+    type Stencil<R: Real> = [R; 3040];
     type Factor<R: Real> = [R; 103424];
-    type Inverses<R: Real> = [R; 8064];
     type Unknowns<R: Real> = [R; 1008];
 }
 
@@ -710,9 +698,7 @@ impl Grid for G32x24 {
     ];
     type Scalars<R: Real> = [R; 784];
     type Vectors<R: Real> = [R; 2320];
-    type Jacobian<R: Real> = [R; 27664];
-    type Stencil<R: Real> = [R; 48400];
+    type Stencil<R: Real> = [R; 4552];
     type Factor<R: Real> = [R; 335872];
-    type Inverses<R: Real> = [R; 17856];
     type Unknowns<R: Real> = [R; 2232];
 }

@@ -3,12 +3,15 @@
 //! Eliminating the multipliers of the regularised Eq. 3-4 leaves `S dx = r` with
 //! `S = H + JᵀJ/δ`: symmetric, positive definite, and coupling only nodes at most two steps apart.
 //!
-//! [`stencil`] holds `S` by neighbour, as it is assembled; [`factor`] copies it into panels of eight
-//! rows and replaces it by its Cholesky factor; [`solve`] does the two substitutions.
+//! [`stencil`] holds three columns of `S` by neighbour, as they are assembled; [`factor`] takes them into
+//! panels of eight rows and replaces these by the Cholesky factor; [`solve`] does the two substitutions.
 
 pub mod factor;
+mod one;
+mod place;
 pub mod solve;
 pub mod stencil;
+mod tile;
 
 pub use factor::Factor;
 pub use stencil::Stencil;

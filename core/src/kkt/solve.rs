@@ -1,8 +1,9 @@
 //! `L y = b`, then `Lᵀ x = y`, on the panels of [`Factor`].
 
 use super::factor::Factor;
+use super::{one, tile};
 use crate::grid::{Grid, Store};
-use crate::real::{LANES, Lanes, Num, Real};
+use crate::real::{Eight, LANES, Lanes, Num, Real};
 
 /// One number an unknown: right-hand sides and steps, in the order of the unknowns, padded to panels.
 #[derive(Debug, Clone)]
@@ -22,11 +23,11 @@ impl<R: Real, G: Grid> Unknowns<R, G> {
     }
 
     #[inline(always)]
-    fn eight(&self, p: usize) -> R::Lanes {
-        R::Lanes::load(self.0.as_ref(), p * LANES)
+    fn eight(&self, p: usize) -> R::Eight {
+        R::Eight::load(self.0.as_ref(), p * LANES)
     }
     #[inline(always)]
-    fn set_eight(&mut self, p: usize, v: R::Lanes) {
+    fn set_eight(&mut self, p: usize, v: R::Eight) {
         v.store(self.0.as_mut(), p * LANES);
     }
 }
@@ -49,47 +50,67 @@ impl<R: Real, G: Grid> Factor<R, G> {
 
     /// Rows of panel `p`: `L_pp⁻¹ (b_p - Σ_k L_pk y_k)`, four partial sums added in a fixed order.
     #[inline(always)]
-    fn forward(&self, p: usize, x: &Unknowns<R, G>) -> R::Lanes {
-        let rows = self.panel(p);
-        let known = x.numbers().get(rows.place.stored..p * LANES).unwrap_or(&[]);
-        let (columns, _) = rows.numbers.as_chunks::<LANES>();
+    fn forward(&self, p: usize, x: &Unknowns<R, G>) -> R::Eight {
+        let (place, numbers) = self.panel(p);
+        let known = x.numbers().get(place.stored..p * LANES).unwrap_or(&[]);
+        if R::Lanes::WIDTH == 1 {
+            return R::Eight::from_array(one::forward(numbers, known, x.eight(p).array()));
+        }
+        let (columns, _) = numbers.as_chunks::<LANES>();
         let (columns, _) = columns.as_chunks::<4>();
         let (known, _) = known.as_chunks::<4>();
-        let mut sums = [R::Lanes::zero(); 4];
+        let mut sums = [R::Eight::zero(); 4];
         for (c, k) in columns.iter().zip(known) {
             for ((s, column), &y) in sums.iter_mut().zip(c).zip(k) {
-                *s = *s + R::Lanes::from_array(*column) * R::Lanes::all(y);
+                *s = *s + R::Eight::from_array(*column) * R::Eight::all(y);
             }
         }
         let [a, b, c, d] = sums;
         let rest = (x.eight(p) - ((a + b) + (c + d))).array();
-        let columns = R::Lanes::transpose(self.inverse(p));
-        weighted::<R>(&columns, &rest)
+        weighted::<R>(&R::Eight::transpose(inverse::<R>(numbers)), &rest)
     }
 
     /// `x_p = L_pp⁻ᵀ y_p`, then takes its share out of every earlier unknown the panel touches.
     #[inline(always)]
     fn backward(&self, p: usize, x: &mut Unknowns<R, G>) {
-        let own = weighted::<R>(&self.inverse(p), &x.eight(p).array());
+        let (place, numbers) = self.panel(p);
+        let earlier = place.stored / LANES..p;
+        if R::Lanes::WIDTH == 1 {
+            let own = one::backward(numbers, x.eight(p).array());
+            x.set_eight(p, R::Eight::from_array(own));
+            let touched = x.numbers_mut().get_mut(place.stored..p * LANES).unwrap_or(&mut []);
+            one::take_out(numbers, &own, touched);
+            return;
+        }
+        let own = weighted::<R>(&inverse::<R>(numbers), &x.eight(p).array());
         x.set_eight(p, own);
-        let rows = self.panel(p);
-        let (tiles, _) = rows.numbers.as_chunks::<{ LANES * LANES }>();
-        for (q, block) in (rows.place.stored / LANES..p).zip(tiles) {
-            let products = core::array::from_fn(|j| R::Lanes::load(block, j * LANES) * own);
-            let [a, b, c, d, e, f, g, h] = R::Lanes::transpose(products);
-            let share = ((a + b) + (c + d)) + ((e + f) + (g + h));
+        let (tiles, _) = numbers.as_chunks::<{ LANES * LANES }>();
+        for (q, block) in earlier.zip(tiles) {
+            let products = core::array::from_fn(|j| R::Eight::load(block, j * LANES) * own);
+            let share = tree(R::Eight::transpose(products));
             let rest = x.eight(q) - share;
             x.set_eight(q, rest);
         }
     }
 }
 
-/// `Σ_j vectors[j] · factors[j]`, in two partial sums of four.
+/// The inverse of a panel's diagonal block, row by row.
 #[inline(always)]
-fn weighted<R: Real>(vectors: &[R::Lanes; LANES], factors: &[R; LANES]) -> R::Lanes {
-    let term = |j: usize| match (vectors.get(j), factors.get(j)) {
-        (Some(&v), Some(&f)) => v * R::Lanes::all(f),
-        _ => R::Lanes::zero(),
-    };
-    ((term(0) + term(1)) + (term(2) + term(3))) + ((term(4) + term(5)) + (term(6) + term(7)))
+fn inverse<R: Real>(numbers: &[R]) -> tile::Tile<R> {
+    tile::load::<R>(numbers.last_chunk::<{ LANES * LANES }>().map_or(&[], |block| block))
+}
+
+/// `Σ_j vectors[j] · factors[j]`, in pairs of pairs.
+#[inline(always)]
+fn weighted<R: Real>(vectors: &[R::Eight; LANES], factors: &[R; LANES]) -> R::Eight {
+    tree(core::array::from_fn(|j| match (vectors.get(j), factors.get(j)) {
+        (Some(&v), Some(&f)) => v * R::Eight::all(f),
+        _ => R::Eight::zero(),
+    }))
+}
+
+/// `((0+1)+(2+3))+((4+5)+(6+7))`.
+#[inline(always)]
+pub(super) fn tree<T: Num>([a, b, c, d, e, f, g, h]: [T; LANES]) -> T {
+    ((a + b) + (c + d)) + ((e + f) + (g + h))
 }

@@ -1,7 +1,8 @@
-//! The sparse matrix before it is factored: for each node the blocks to its seven earlier neighbours.
+//! The sparse matrix while it grows: for each node the blocks to its seven earlier neighbours.
 //!
 //! A pair of nodes is stored at the later one. "Earlier" is the order of the unknowns: column by
-//! column from the spine, tail to head.
+//! column from the spine, tail to head. A star adds to its own column and to those beside it, so three
+//! columns are enough: [`Factor::take`](super::Factor::take) moves a finished one into the factor's panels.
 
 use crate::grid::{Grid, Store};
 use crate::real::{LANES, Lanes, Num, Real};
@@ -28,7 +29,10 @@ pub mod pair {
     pub const COLUMN2: usize = 6;
 }
 
-/// `S` by neighbour: `63` numbers a node, eight rows side by side.
+/// Columns kept.
+const COLUMNS: usize = 3;
+
+/// The rows of `S` for three columns of nodes: `63` numbers a node, rows of a column side by side.
 #[derive(Debug, Clone)]
 pub struct Stencil<R: Real, G: Grid>(G::Stencil<R>);
 
@@ -38,7 +42,7 @@ impl<R: Real, G: Grid> Stencil<R, G> {
 
     #[inline(always)]
     fn place(neighbour: usize, c: usize, d: usize, i: usize, k: usize) -> usize {
-        LANES + (((neighbour * 3 + c) * 3 + d) * G::NX + i) * G::KP + k
+        LANES + (((i % COLUMNS * 7 + neighbour) * 3 + c) * 3 + d) * G::KP + k
     }
     /// Entry between coordinate `c` of the later node `(i, k)` and `d` of its neighbour.
     #[inline(always)]
@@ -52,7 +56,8 @@ impl<R: Real, G: Grid> Stencil<R, G> {
             *slot += value;
         }
     }
-    /// Adds a 3x3 block, eight rows at a time; `shift` moves the rows of the later node.
+    /// Adds a 3x3 block for the rows that travel together; `shift` moves the rows of the later node. Of a
+    /// node with itself only the lower triangle is kept.
     #[inline(always)]
     pub fn add_block(
         &mut self,
@@ -64,43 +69,22 @@ impl<R: Real, G: Grid> Stencil<R, G> {
     ) {
         for (c, row) in block.iter().enumerate() {
             for (d, &value) in row.iter().enumerate() {
+                if neighbour == pair::SELF && d > c {
+                    continue;
+                }
                 let at = Self::place(neighbour, c, d, i, k).wrapping_add_signed(shift);
                 let sum = R::Lanes::load(self.0.as_ref(), at) + value;
                 sum.store(self.0.as_mut(), at);
             }
         }
     }
-    /// Sets the three diagonal entries of a block, eight rows at a time, and clears the other six.
+    /// Sets the three diagonal entries of a block for the rows that travel together, and clears the others.
     #[inline(always)]
     pub fn set_scalar(&mut self, neighbour: usize, i: usize, k: usize, value: R::Lanes) {
         for c in 0..3 {
             for d in 0..3 {
                 let v = if c == d { value } else { R::Lanes::zero() };
                 v.store(self.0.as_mut(), Self::place(neighbour, c, d, i, k));
-            }
-        }
-    }
-    /// Zeros everywhere.
-    pub fn clear(&mut self) {
-        self.0.as_mut().fill(R::ZERO);
-    }
-    /// Calls `visit(row, column, value)` for every stored entry of the lower triangle between unknowns.
-    pub fn entries(&self, mut visit: impl FnMut(usize, usize, R)) {
-        let unknown = |i: usize, k: usize, c: usize| 3 * ((i - 1) * G::NZ + k) + c;
-        for i in 1..G::NX {
-            for k in 0..G::NZ {
-                for (n, &(di, dk)) in NEIGHBOURS.iter().enumerate() {
-                    let Some(j) = i.checked_sub(di).filter(|&j| j >= 1) else { continue };
-                    let Some(l) = k.checked_add_signed(-dk).filter(|&l| l < G::NZ) else {
-                        continue;
-                    };
-                    for c in 0..3 {
-                        let last = if n == pair::SELF { c } else { 2 };
-                        for d in 0..=last {
-                            visit(unknown(i, k, c), unknown(j, l, d), self.at(n, c, d, i, k));
-                        }
-                    }
-                }
             }
         }
     }

@@ -54,8 +54,8 @@ impl<R: Real> Clear<R> {
     }
 
     /// Eight points of a column at distance `s` from the spine, lifted where they are too deep.
-    pub(super) fn lift(&self, p: V3<R::Lanes>, column: usize, s: R) -> V3<R::Lanes> {
-        let p = V3([p.0[0], p.0[1].larger(R::Lanes::zero()), p.0[2]]);
+    pub(super) fn lift(&self, p: V3<R::Eight>, column: usize, s: R) -> V3<R::Eight> {
+        let p = V3([p.0[0], p.0[1].larger(R::Eight::zero()), p.0[2]]);
         self.0.iter().fold(p, |p, side| side.lift(p, column, s))
     }
 }
@@ -82,52 +82,52 @@ impl<R: Real> Side<R> {
     }
 
     #[inline(always)]
-    fn lift(&self, p: V3<R::Lanes>, column: usize, s: R) -> V3<R::Lanes> {
+    fn lift(&self, p: V3<R::Eight>, column: usize, s: R) -> V3<R::Eight> {
         let hair = R::of(HAIR).smaller(s * R::of(TAPER));
         if (-p.0[1]).largest() < -(self.roof + hair) {
             return p;
         }
-        let (sign, zero) = (R::Lanes::all(self.sign), R::Lanes::zero());
+        let (sign, zero) = (R::Eight::all(self.sign), R::Eight::zero());
         let at = V2([p.0[0] * sign, p.0[1]]);
         let (height, normal) = self.above(at);
-        let depth = (R::Lanes::all(self.clearance + hair) - height).larger(zero);
+        let depth = (R::Eight::all(self.clearance + hair) - height).larger(zero);
         let mut out = at + normal * depth;
         if s < self.clearance * R::of(ROUND) {
             let lying = self.lying.get(column).copied().unwrap_or(V2([0.0; 2]));
-            let lying = V2(lying.0.map(|c| R::Lanes::of(f64::from(c))));
-            let share = depth * R::Lanes::all(R::of(1.0 / DEEP) / self.clearance);
-            out = out + (lying - out) * share.smaller(R::Lanes::one());
+            let lying = V2(lying.0.map(|c| R::Eight::of(f64::from(c))));
+            let share = depth * R::Eight::all(R::of(1.0 / DEEP) / self.clearance);
+            out = out + (lying - out) * share.smaller(R::Eight::one());
         }
         V3([out.0[0] * sign, out.0[1], p.0[2]])
     }
 
     /// Signed distance from the midline and the way out; far away where the block is not below.
     #[inline(always)]
-    fn above(&self, p: V2<R::Lanes>) -> (R::Lanes, V2<R::Lanes>) {
-        let mut nearest_sq = R::Lanes::of(1e12);
-        let mut height = R::Lanes::of(1e6);
+    fn above(&self, p: V2<R::Eight>) -> (R::Eight, V2<R::Eight>) {
+        let mut nearest_sq = R::Eight::of(1e12);
+        let mut height = R::Eight::of(1e6);
         let mut normal = V2::zero();
-        let (zero, tiny) = (R::Lanes::zero(), R::Lanes::of(1e-9));
+        let (zero, tiny) = (R::Eight::zero(), R::Eight::of(1e-9));
         let last = self.profile.segments.len().saturating_sub(1);
         for (n, s) in self.profile.segments.iter().enumerate() {
-            let lanes = |v: V2<R>| V2(v.0.map(R::Lanes::all));
+            let lanes = |v: V2<R>| V2(v.0.map(R::Eight::all));
             let (along, up, to) = (lanes(s.along), lanes(s.normal), p - lanes(s.from));
             let t = to.dot(along).larger(zero);
-            let t = if n == last { t } else { t.smaller(R::Lanes::all(s.length)) };
+            let t = if n == last { t } else { t.smaller(R::Eight::all(s.length)) };
             let away = to - along * t;
             let (d_sq, side) = (away.norm_sq(), to.dot(up));
             let d = d_sq.root();
-            let signed = R::Lanes::pick_less(side, zero, -d, d);
-            let scale = R::Lanes::one() / R::Lanes::pick_less(signed, zero, -d, d + tiny);
+            let signed = R::Eight::pick_less(side, zero, -d, d);
+            let scale = R::Eight::one() / R::Eight::pick_less(signed, zero, -d, d + tiny);
             // Beside the binding, on the far side of the fan, there is no paper of this block.
             let beside = if n == 0 { to.0[0] } else { zero };
-            let signed = R::Lanes::pick_less(
+            let signed = R::Eight::pick_less(
                 beside,
                 zero,
-                R::Lanes::pick_less(p.0[1], zero, R::Lanes::of(1e6), signed),
+                R::Eight::pick_less(p.0[1], zero, R::Eight::of(1e6), signed),
                 signed,
             );
-            let better = |new, old| R::Lanes::pick_less(d_sq, nearest_sq, new, old);
+            let better = |new, old| R::Eight::pick_less(d_sq, nearest_sq, new, old);
             height = better(signed, height);
             normal = V2([
                 better(away.0[0] * scale, normal.0[0]),

@@ -6,7 +6,7 @@
 //! has to be moved, but a stretch longer than the last segment does not turn it round.
 
 use super::columns;
-use crate::real::{Lanes, Num, Real, V3};
+use crate::real::{Eight, Lanes, Num, Real, V3};
 use crate::scene::units::WIDTH;
 
 /// Corners of a polyline at most: those of the longest row, or of a block's curve.
@@ -188,8 +188,8 @@ impl Walk<'_> {
 #[inline(always)]
 fn root(x: f32) -> f32 {
     if cfg!(any(target_feature = "sse2", target_feature = "neon", target_feature = "simd128")) {
-        let eight = <<f32 as Real>::Lanes as Lanes<f32>>::all(x);
-        let [first, ..] = Lanes::array(Num::root(eight));
+        let eight = <<f32 as Real>::Eight as Lanes<f32>>::all(x);
+        let [first, ..] = Eight::array(Num::root(eight));
         first
     } else {
         x.root()

@@ -14,9 +14,8 @@
 
 use super::spline::Line;
 use crate::grid::Grid;
-use crate::real::{Lanes, Num, Real, V3};
+use crate::real::{Eight as _, Lanes, Num, Real, V3};
 use crate::state::Field;
-use crate::state::field::row_mask;
 
 /// The halves of a fold are this far apart one node from it, in lengths of an edge: a turn of 145°.
 const APART: f64 = 0.6;
@@ -29,14 +28,14 @@ pub(super) struct Eight<'a, R: Real, G: Grid> {
     pub(super) k: usize,
 }
 
-impl<R: Real, G: Grid> Line<R::Lanes> for Eight<'_, R, G> {
+impl<R: Real, G: Grid> Line<R::Eight> for Eight<'_, R, G> {
     #[inline(always)]
-    fn at(&self, i: usize) -> V3<R::Lanes> {
-        self.field.rows(i, self.k, 0)
+    fn at(&self, i: usize) -> V3<R::Eight> {
+        self.field.eight(i, self.k)
     }
     #[inline(always)]
-    fn put(&mut self, i: usize, v: V3<R::Lanes>) {
-        self.field.set_rows(i, self.k, 0, v);
+    fn put(&mut self, i: usize, v: V3<R::Eight>) {
+        self.field.set_eight(i, self.k, v);
     }
 }
 
@@ -51,14 +50,14 @@ struct Fold<T> {
 
 /// Draws the halves of flat folds apart; `edge` is the length of an edge.
 pub(super) fn open<R: Real, G: Grid>(nodes: &mut Eight<'_, R, G>, edge: R) {
-    let zero = R::Lanes::zero();
+    let zero = R::Eight::zero();
     for i in 1..G::NX - 1 {
         let Some(Fold { turn, round }) = fold(nodes, i) else { continue };
         let gap = (nodes.at(i + 1) - nodes.at(i - 1)).dot(round);
-        let lacks = (R::Lanes::all(R::of(APART) * edge) - gap).larger(zero);
+        let lacks = (R::Eight::all(R::of(APART) * edge) - gap).larger(zero);
         // The column at the spine stays.
-        let share = R::Lanes::of(if i == 1 { 1.0 } else { 0.5 });
-        let shift = round * (R::Lanes::pick_less(turn, zero, lacks, zero) * share);
+        let share = R::Eight::of(if i == 1 { 1.0 } else { 0.5 });
+        let shift = round * (R::Eight::pick_less(turn, zero, lacks, zero) * share);
         nodes.put(i + 1, nodes.at(i + 1) + shift);
         if i > 1 {
             nodes.put(i - 1, nodes.at(i - 1) - shift);
@@ -70,15 +69,15 @@ pub(super) fn open<R: Real, G: Grid>(nodes: &mut Eight<'_, R, G>, edge: R) {
 pub(super) fn turn<R: Real, G: Grid>(nodes: &Eight<'_, R, G>, slopes: &mut Eight<'_, R, G>) {
     for i in 1..G::NX - 1 {
         let Some(Fold { turn, round }) = fold(nodes, i) else { continue };
-        let pick = |new, old| R::Lanes::pick_less(turn, R::Lanes::zero(), new, old);
+        let pick = |new, old| R::Eight::pick_less(turn, R::Eight::zero(), new, old);
         let ([a, b, c], [x, y, z]) = (round.0, slopes.at(i).0);
         slopes.put(i, V3([pick(a, x), pick(b, y), pick(c, z)]));
     }
 }
 
 /// The fold at node `i`, if any of the rows has one.
-fn fold<R: Real, G: Grid>(nodes: &Eight<'_, R, G>, i: usize) -> Option<Fold<R::Lanes>> {
-    let there = row_mask::<R>(nodes.k, 0, G::NZ);
+fn fold<R: Real, G: Grid>(nodes: &Eight<'_, R, G>, i: usize) -> Option<Fold<R::Eight>> {
+    let there = R::Eight::mask(nodes.k, 0, G::NZ);
     let before = unit::<R>(nodes.at(i) - nodes.at(i - 1));
     let after = unit::<R>(nodes.at(i + 1) - nodes.at(i));
     let turn = before.dot(after) * there;
@@ -88,10 +87,10 @@ fn fold<R: Real, G: Grid>(nodes: &Eight<'_, R, G>, i: usize) -> Option<Fold<R::L
     let axis = before.cross(after);
     let mean = V3(axis.0.map(|c| (c * there).sum()));
     let mean = mean * (R::of(1.0) / mean.norm().larger(R::of(1e-6)));
-    let axis = axis + V3(mean.0.map(R::Lanes::all));
+    let axis = axis + V3(mean.0.map(R::Eight::all));
     Some(Fold { turn, round: unit::<R>(axis.cross(before - after)) })
 }
 
-fn unit<R: Real>(v: V3<R::Lanes>) -> V3<R::Lanes> {
-    v * (R::Lanes::one() / v.norm().larger(R::Lanes::of(1e-6)))
+fn unit<R: Real>(v: V3<R::Eight>) -> V3<R::Eight> {
+    v * (R::Eight::one() / v.norm().larger(R::Eight::of(1e-6)))
 }

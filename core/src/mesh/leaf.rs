@@ -17,9 +17,9 @@ use super::spline::Line;
 use super::{Vertex, columns, rim, spline};
 use crate::book::Book;
 use crate::grid::Grid;
-use crate::real::{LANES, Lanes, Num, Real, V3};
+use crate::real::{Eight as _, LANES, Lanes, Num, Real, V3};
 use crate::scene::units::WIDTH;
-use crate::state::field::blocks;
+use crate::state::field::eights;
 use crate::state::{Field, Leaf, Sheet};
 
 /// A corner of an offset row this little ahead of the last one, as a share of two columns, is dropped.
@@ -96,7 +96,7 @@ impl<'a, R: Real, G: Grid> Sheaf<'a, R, G> {
         let mut nodes = Field::<R, G>::ZERO;
         let mut slopes = Field::<R, G>::ZERO;
         nodes.copy_from(&self.leaf.x);
-        for k in blocks::<G>() {
+        for k in eights::<G>() {
             let mut p = Eight { field: &mut nodes, k };
             let mut m = Eight { field: &mut slopes, k };
             self.fit(&mut p, &mut m);
@@ -124,10 +124,10 @@ impl<'a, R: Real, G: Grid> Sheaf<'a, R, G> {
         if self.clear.is_some() {
             // Below the binding is no way out.
             let [x, y, z] = slopes.at(0).0;
-            slopes.put(0, V3([x, y.larger(R::Lanes::zero()), z]));
+            slopes.put(0, V3([x, y.larger(R::Eight::zero()), z]));
         }
         fold::turn(nodes, slopes);
-        spline::even_out(G::NX, slopes, R::Lanes::all(edge));
+        spline::even_out(G::NX, slopes, R::Eight::all(edge));
     }
 }
 
@@ -149,8 +149,8 @@ fn mend(net: &Net, vertices: &mut [Vertex], pen: &Pen, line: &mut Polyline) {
     }
 }
 
-fn store<'a, R: Real>(p: V3<R::Lanes>, slots: impl Iterator<Item = &'a mut Vertex>) {
-    let [x, y, z]: [[R; LANES]; 3] = p.0.map(Lanes::array);
+fn store<'a, R: Real>(p: V3<R::Eight>, slots: impl Iterator<Item = &'a mut Vertex>) {
+    let [x, y, z]: [[R; LANES]; 3] = p.0.map(R::Eight::array);
     for (slot, ((x, y), z)) in slots.zip(x.into_iter().zip(y).zip(z)) {
         slot.position = [x.narrow(), y.narrow(), z.narrow()];
     }

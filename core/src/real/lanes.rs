@@ -1,19 +1,39 @@
-//! Eight numbers side by side; the lane count is fixed here, in the source, on every target.
+//! Numbers side by side: eight of them, and as many as travel together through a kernel.
+//!
+//! Eight is fixed here, in the source, on every target: sums run in eight partial sums. Where there is a
+//! vector unit a kernel takes eight rows at a time, elsewhere one: eight would only spill.
+//!
+//! # Determinism
+//!
+//! A row never meets another but where a kernel adds to the rows beside its own. It adds to row `k + 1`
+//! first, then to `k`, then to `k - 1`: so each row gets its terms in the order of the rows they come from,
+//! however many travel together. The feature `one-lane` makes it one everywhere, and the bits stay.
 
 use super::{Num, Real};
 use wide::{f32x8, f64x8};
 
-/// How many rows travel together.
+/// Partial sums, rows of a panel of the factor, and what the rows of a column are padded to.
 pub const LANES: usize = 8;
 
-/// Eight scalars. Lane `i` only ever meets lane `i`, except in [`Lanes::sum`], whose order is fixed.
+/// What a kernel computes with: one row of a column, or eight. Row `i` only ever meets row `i`.
 pub trait Lanes<R: Real>: Num {
-    /// Eight numbers from `from[at..at + 8]`; zeros where the slice is too short.
+    /// Rows that travel together: 1 or 8.
+    const WIDTH: usize;
+
+    /// Numbers from `from[at..]`; zeros where the slice is too short.
     fn load(from: &[R], at: usize) -> Self;
-    /// Into `to[at..at + 8]`; nothing where the slice is too short.
+    /// Into `to[at..]`; nothing where the slice is too short.
     fn store(self, to: &mut [R], at: usize);
     /// The same number in every lane.
     fn all(value: R) -> Self;
+    /// One in the lanes of rows `k..` that are in `from..to`, else zero.
+    fn mask(k: usize, from: usize, to: usize) -> Self;
+    /// Largest lane.
+    fn largest(self) -> R;
+}
+
+/// Exactly eight scalars.
+pub trait Eight<R: Real>: Lanes<R> {
     /// The lanes as an array.
     fn array(self) -> [R; LANES];
     /// Lanes from an array.
@@ -25,14 +45,14 @@ pub trait Lanes<R: Real>: Num {
         let [a, b, c, d, e, f, g, h] = self.array();
         ((a + b) + (c + d)) + ((e + f) + (g + h))
     }
-    /// Largest lane.
-    #[inline(always)]
-    fn largest(self) -> R {
-        let [a, b, c, d, e, f, g, h] = self.array();
-        a.larger(b).larger(c.larger(d)).larger(e.larger(f).larger(g.larger(h)))
-    }
     /// Rows become columns.
     fn transpose(rows: [Self; LANES]) -> [Self; LANES];
+}
+
+/// One where `k` is in `from..to`, else zero.
+#[inline(always)]
+fn inside<R: Real>(k: usize, from: usize, to: usize) -> R {
+    if (from..to).contains(&k) { R::of(1.0) } else { R::ZERO }
 }
 
 macro_rules! lanes {
@@ -70,6 +90,7 @@ macro_rules! lanes {
         }
 
         impl Lanes<$r> for $t {
+            const WIDTH: usize = LANES;
             #[inline(always)]
             fn load(from: &[$r], at: usize) -> Self {
                 match from.get(at..).and_then(<[$r]>::first_chunk::<LANES>) {
@@ -88,6 +109,18 @@ macro_rules! lanes {
                 Self::splat(value)
             }
             #[inline(always)]
+            fn mask(k: usize, from: usize, to: usize) -> Self {
+                Self::new(core::array::from_fn(|lane| inside(k + lane, from, to)))
+            }
+            #[inline(always)]
+            fn largest(self) -> $r {
+                let [a, b, c, d, e, f, g, h] = self.to_array();
+                a.larger(b).larger(c.larger(d)).larger(e.larger(f).larger(g.larger(h)))
+            }
+        }
+
+        impl Eight<$r> for $t {
+            #[inline(always)]
             fn array(self) -> [$r; LANES] {
                 self.to_array()
             }
@@ -98,6 +131,32 @@ macro_rules! lanes {
             #[inline(always)]
             fn transpose(rows: [Self; LANES]) -> [Self; LANES] {
                 <$t>::transpose(rows)
+            }
+        }
+
+        impl Lanes<$r> for $r {
+            const WIDTH: usize = 1;
+            #[inline(always)]
+            fn load(from: &[$r], at: usize) -> Self {
+                from.get(at).copied().unwrap_or(0.0)
+            }
+            #[inline(always)]
+            fn store(self, to: &mut [$r], at: usize) {
+                if let Some(slot) = to.get_mut(at) {
+                    *slot = self;
+                }
+            }
+            #[inline(always)]
+            fn all(value: $r) -> Self {
+                value
+            }
+            #[inline(always)]
+            fn mask(k: usize, from: usize, to: usize) -> Self {
+                inside(k, from, to)
+            }
+            #[inline(always)]
+            fn largest(self) -> $r {
+                self
             }
         }
     };

@@ -1,6 +1,6 @@
 //! The scalar type: the only door to `libm`, and the lanes that eight rows of a leaf share.
 //!
-//! Every kernel is written once over [`Num`] and runs on one number (in tests, on odd rows) or on
+//! Every kernel is written once over [`Num`] and runs on one number or on
 //! eight rows at a time ([`Lanes`]). Additions and multiplications are never fused and lanes are
 //! never summed in an order the target could choose, so all targets produce the same bits.
 //!
@@ -10,7 +10,7 @@ mod lanes;
 mod scalar;
 mod vec3;
 
-pub use lanes::{LANES, Lanes};
+pub use lanes::{Eight, LANES, Lanes};
 pub use scalar::Real;
 pub use vec3::{V2, V3};
 

@@ -1,6 +1,6 @@
 //! `f32` and `f64` as the core sees them.
 
-use super::{Lanes, Num};
+use super::{Eight, Lanes, Num};
 use core::ops::{AddAssign, MulAssign, SubAssign};
 use nalgebra::{SMatrix, SVector};
 
@@ -23,8 +23,10 @@ pub trait Real:
     + Send
     + Sync
 {
-    /// Eight of them.
+    /// As many as travel together through a kernel on this target.
     type Lanes: Lanes<Self>;
+    /// Eight of them.
+    type Eight: Eight<Self>;
     /// `"f32"` or `"f64"`.
     const NAME: &'static str;
     /// Zero, usable in constants.
@@ -81,7 +83,17 @@ macro_rules! real {
         }
 
         impl Real for $t {
+            #[cfg(all(
+                not(feature = "one-lane"),
+                any(target_feature = "sse2", target_feature = "neon", target_feature = "simd128")
+            ))]
             type Lanes = $lanes;
+            #[cfg(not(all(
+                not(feature = "one-lane"),
+                any(target_feature = "sse2", target_feature = "neon", target_feature = "simd128")
+            )))]
+            type Lanes = Self;
+            type Eight = $lanes;
             const NAME: &'static str = $name;
             const ZERO: Self = 0.0;
             const EPSILON: f64 = $eps;

@@ -52,7 +52,8 @@ pub struct Settings {
     pub passes: u32,
     /// Dual regularisation `δ`, 1e-12 to 1.
     pub delta: f64,
-    /// Solves with the same factor after each Newton step, against the gradient at the new pose; up to 5.
+    /// Solves with the same factor after each Newton step, against the gradient at the new pose: up to 5 with
+    /// the feature `seed`, else none.
     pub refinements: u32,
 }
 
@@ -80,7 +81,8 @@ impl Settings {
         within("settings.trials", f64::from(self.trials), 0.0, 30.0)?;
         within("settings.passes", f64::from(self.passes), 0.0, 3.0)?;
         within("settings.delta", self.delta, 1e-12, 1.0)?;
-        within("settings.refinements", f64::from(self.refinements), 0.0, 5.0)
+        let refinements = if cfg!(feature = "seed") { 5.0 } else { 0.0 };
+        within("settings.refinements", f64::from(self.refinements), 0.0, refinements)
     }
 }
 

@@ -1,4 +1,4 @@
-//! Numbers on the nodes of a leaf, eight rows side by side.
+//! Numbers on the nodes of a leaf, the rows of a column side by side.
 
 use crate::grid::{Grid, Store, scalar_at, vector_at};
 use crate::real::{LANES, Lanes, Real, V3};
@@ -32,21 +32,33 @@ impl<R: Real, G: Grid> Field<R, G> {
             }
         }
     }
-    /// Eight rows of column `i`, from row `k` on. `k` may be one outside on either side.
+    /// The rows of column `i` that travel together from row `k` on, shifted by at most one.
     #[inline(always)]
     pub fn rows(&self, i: usize, k: usize, shift: isize) -> V3<R::Lanes> {
         let load =
             |c| R::Lanes::load(self.0.as_ref(), vector_at::<G>(i, c, k).wrapping_add_signed(shift));
         V3([load(0), load(1), load(2)])
     }
-    /// Stores eight rows of column `i`.
+    /// Stores rows of column `i`.
     #[inline(always)]
     pub fn set_rows(&mut self, i: usize, k: usize, shift: isize, v: V3<R::Lanes>) {
         for (c, lanes) in v.0.iter().enumerate() {
             lanes.store(self.0.as_mut(), vector_at::<G>(i, c, k).wrapping_add_signed(shift));
         }
     }
-    /// Adds to eight rows of column `i`.
+    /// Eight rows of column `i`, from row `k` on.
+    #[inline(always)]
+    pub fn eight(&self, i: usize, k: usize) -> V3<R::Eight> {
+        V3([0, 1, 2].map(|c| R::Eight::load(self.0.as_ref(), vector_at::<G>(i, c, k))))
+    }
+    /// Stores eight rows of column `i`.
+    #[inline(always)]
+    pub fn set_eight(&mut self, i: usize, k: usize, v: V3<R::Eight>) {
+        for (c, lanes) in v.0.iter().enumerate() {
+            lanes.store(self.0.as_mut(), vector_at::<G>(i, c, k));
+        }
+    }
+    /// Adds to rows of column `i`.
     #[inline(always)]
     pub fn add_rows(&mut self, i: usize, k: usize, shift: isize, v: V3<R::Lanes>) {
         let sum = self.rows(i, k, shift) + v;
@@ -94,12 +106,12 @@ impl<R: Real, G: Grid> Heights<R, G> {
             *slot = value;
         }
     }
-    /// Eight rows of column `i`.
+    /// The rows of column `i` that travel together from row `k` on.
     #[inline(always)]
     pub fn rows(&self, i: usize, k: usize) -> R::Lanes {
         R::Lanes::load(self.0.as_ref(), scalar_at::<G>(i, k))
     }
-    /// Stores eight rows of column `i`.
+    /// Stores rows of column `i`.
     #[inline(always)]
     pub fn set_rows(&mut self, i: usize, k: usize, v: R::Lanes) {
         v.store(self.0.as_mut(), scalar_at::<G>(i, k));
@@ -110,15 +122,14 @@ impl<R: Real, G: Grid> Heights<R, G> {
     }
 }
 
-/// Starts of the groups of eight rows in a column.
+/// First rows of the groups that travel together through a kernel.
 #[inline(always)]
-pub fn blocks<G: Grid>() -> impl Iterator<Item = usize> {
-    (0..G::BLOCKS).map(|b| b * LANES)
+pub fn groups<R: Real, G: Grid>() -> impl Iterator<Item = usize> {
+    (0..G::KP / R::Lanes::WIDTH).map(|group| group * R::Lanes::WIDTH)
 }
 
-/// One where row `k + lane` is in `from..to`, else zero.
+/// First rows of the groups of eight in a column.
 #[inline(always)]
-pub fn row_mask<R: Real>(k: usize, from: usize, to: usize) -> R::Lanes {
-    let inside = |lane: usize| if (from..to).contains(&(k + lane)) { R::of(1.0) } else { R::ZERO };
-    R::Lanes::from_array(core::array::from_fn(inside))
+pub fn eights<G: Grid>() -> impl Iterator<Item = usize> {
+    (0..G::KP / LANES).map(|group| group * LANES)
 }

@@ -1,6 +1,6 @@
 //! The active leaf: its net of nodes, what it is made of, and what last touched it.
 
-use super::field::{Field, Heights, blocks};
+use super::field::{Field, Heights, groups};
 use crate::grid::Grid;
 use crate::real::{Lanes, Real, V2, V3};
 
@@ -113,7 +113,7 @@ impl<R: Real, G: Grid> Leaf<R, G> {
 
     /// Largest speed of any node.
     pub fn fastest(&self) -> R {
-        let sq = blocks::<G>().flat_map(|k| (0..G::NX).map(move |i| (i, k)));
+        let sq = groups::<R, G>().flat_map(|k| (0..G::NX).map(move |i| (i, k)));
         sq.fold(R::ZERO, |m, (i, k)| m.larger(self.v.rows(i, k, 0).norm_sq().largest())).root()
     }
 

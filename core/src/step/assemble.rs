@@ -1,19 +1,21 @@
-//! Gradient, Jacobian and condensed matrix of the leaf at one pose, eight rows at a time.
+//! Gradient and condensed matrix of the leaf at one pose, column by column from the spine.
+//!
+//! Whatever is added to row `k + 1` is added first, then what is added to `k`, then to `k - 1`: see
+//! [`Lanes`].
 
 use super::ask::Ask;
-use super::bend::{bend, hinge, twist};
-use super::constant::Constant;
-use super::jacobian::{Jacobian, spread, star};
+use super::bend::{bend, hinge};
+use super::matrix::Blocks;
+use super::star::{spread, star};
 use crate::constraint::dog::ROWS;
 use crate::grid::Grid;
-use crate::kkt::Stencil;
 use crate::kkt::stencil::pair;
 use crate::potential::{contact, gravity, isometry, position};
 use crate::real::{Lanes, Num, Real, V2, V3};
-use crate::state::field::{Field, blocks, row_mask};
+use crate::state::field::{Field, groups};
 use crate::state::{Grab, Leaf, Root, Sheet};
 
-/// Fills gradient, Jacobian and matrix at the leaf's pose.
+/// Fills gradient and matrix at the leaf's pose.
 ///
 /// # Source
 ///
@@ -21,87 +23,91 @@ use crate::state::{Grab, Leaf, Root, Sheet};
 ///
 /// # Cost
 ///
-/// At 11x8 about 20,000 lane operations.
+/// At 11x8 about 20,000 operations on eight rows.
 pub fn assemble<R: Real, G: Grid>(
     sheet: &Sheet<R, G>,
     leaf: &Leaf<R, G>,
-    constant: &Constant<R, G>,
     inertia: &Field<R, G>,
     ask: &Ask<R>,
-    s: &mut Stencil<R, G>,
+    s: &mut impl Blocks<R, G>,
     g: &mut Field<R, G>,
-    j: &mut Jacobian<R, G>,
 ) {
-    constant.copy_into(s);
     g.copy_from(inertia);
-    forces(sheet, leaf, ask, s, g);
-    edges(sheet, leaf, s, g);
-    stars(sheet, leaf, s, g, j);
-    grabbed(sheet, leaf, ask, s, g);
-}
-
-/// Gravity, bending and contact.
-#[inline(always)]
-fn forces<R: Real, G: Grid>(
-    sheet: &Sheet<R, G>,
-    leaf: &Leaf<R, G>,
-    ask: &Ask<R>,
-    s: &mut Stencil<R, G>,
-    g: &mut Field<R, G>,
-) {
-    let fall = V3(ask.gravity.0.map(R::Lanes::all));
-    let contact = R::Lanes::all(sheet.contact);
-    for i in 0..G::NX {
-        for k in blocks::<G>() {
-            let x = leaf.x.rows(i, k, 0);
-            let mut own = gravity::gradient(sheet.mass.rows(i, k), fall);
-            let p = leaf.pushed.rows(i, k, 0);
-            let w = leaf.holding.rows(i, k) * contact;
-            let n = V2([p.0[0], p.0[1]]);
-            let push = contact::gradient(x.xy(), n, p.0[2], w);
-            own = own + V3([push.0[0], push.0[1], R::Lanes::zero()]);
-            let [xx, xy, yy] = contact::hessian(n, w);
-            let zero = R::Lanes::zero();
-            s.add_block(pair::SELF, i, k, 0, &[[xx, xy, zero], [xy, yy, zero], [zero; 3]]);
-            if i > 0 {
-                bend(sheet, leaf, i, k, &mut own, g);
-                twist(sheet, leaf, i, k, g);
-            }
-            g.add_rows(i, k, 0, own);
+    s.begin(1);
+    for i in 1..G::NX {
+        if i + 1 < G::NX {
+            s.begin(i + 1);
+        }
+        forces(sheet, leaf, ask, i, s, g);
+        edges(sheet, leaf, i, s, g);
+        if i + 1 < G::NX {
+            stars(sheet, leaf, i, s, g);
+        }
+        grabbed(sheet, leaf, ask, i, s, g);
+        if i > 1 {
+            s.end(i - 1);
         }
     }
+    s.end(G::NX - 1);
     if let Root::Clamp(tangent) = ask.root {
         hinge(sheet, leaf, tangent, g);
     }
 }
 
-/// Isometry of all edges with a free node.
+/// Gravity, bending and contact of column `i`.
+#[inline(always)]
+fn forces<R: Real, G: Grid>(
+    sheet: &Sheet<R, G>,
+    leaf: &Leaf<R, G>,
+    ask: &Ask<R>,
+    i: usize,
+    s: &mut impl Blocks<R, G>,
+    g: &mut Field<R, G>,
+) {
+    let fall = V3(ask.gravity.0.map(R::Lanes::all));
+    let contact = R::Lanes::all(sheet.contact);
+    let zero = R::Lanes::zero();
+    for k in groups::<R, G>() {
+        let x = leaf.x.rows(i, k, 0);
+        let own = gravity::gradient(sheet.mass.rows(i, k), fall);
+        let p = leaf.pushed.rows(i, k, 0);
+        let w = leaf.holding.rows(i, k) * contact;
+        let n = V2([p.0[0], p.0[1]]);
+        let push = contact::gradient(x.xy(), n, p.0[2], w);
+        let [xx, xy, yy] = contact::hessian(n, w);
+        s.add_block(pair::SELF, i, k, 0, &[[xx, xy, zero], [xy, yy, zero], [zero; 3]]);
+        bend(sheet, leaf, i, k, own + V3([push.0[0], push.0[1], zero]), g);
+    }
+}
+
+/// Isometry of the edges from column `i - 1` to `i`, and along column `i`.
 #[inline(always)]
 fn edges<R: Real, G: Grid>(
     sheet: &Sheet<R, G>,
     leaf: &Leaf<R, G>,
-    s: &mut Stencil<R, G>,
+    i: usize,
+    s: &mut impl Blocks<R, G>,
     g: &mut Field<R, G>,
 ) {
     let [across, along] = sheet.spacing.map(|l| R::Lanes::all(l * l));
     let [wx, wz] = sheet.isometry.map(R::Lanes::all);
-    for k in blocks::<G>() {
-        let inside = row_mask::<R>(k, 0, G::NZ);
-        let between = row_mask::<R>(k, 0, G::NZ - 1);
-        for i in 1..G::NX {
-            let x = leaf.x.rows(i, k, 0);
-            let e = isometry::edge(x - leaf.x.rows(i - 1, k, 0), across, wx * inside, false);
-            s.add_block(pair::SELF, i, k, 0, &e.hessian);
+    for k in groups::<R, G>() {
+        let inside = R::Lanes::mask(k, 0, G::NZ);
+        let between = R::Lanes::mask(k, 0, G::NZ - 1);
+        let x = leaf.x.rows(i, k, 0);
+        let e = isometry::edge(leaf.x.rows(i, k, 1) - x, along, wz * between, false);
+        s.add_block(pair::ROW, i, k, 1, &negative(&e.hessian));
+        s.add_block(pair::SELF, i, k, 1, &e.hessian);
+        s.add_block(pair::SELF, i, k, 0, &e.hessian);
+        g.add_rows(i, k, 1, e.gradient);
+        g.add_rows(i, k, 0, -e.gradient);
+        let e = isometry::edge(x - leaf.x.rows(i - 1, k, 0), across, wx * inside, false);
+        s.add_block(pair::COLUMN, i, k, 0, &negative(&e.hessian));
+        s.add_block(pair::SELF, i, k, 0, &e.hessian);
+        g.add_rows(i, k, 0, e.gradient);
+        if i > 1 {
             s.add_block(pair::SELF, i - 1, k, 0, &e.hessian);
-            s.add_block(pair::COLUMN, i, k, 0, &negative(&e.hessian));
-            g.add_rows(i, k, 0, e.gradient);
             g.add_rows(i - 1, k, 0, -e.gradient);
-            let e = isometry::edge(leaf.x.rows(i, k, 1) - x, along, wz * between, false);
-            s.add_block(pair::SELF, i, k, 0, &e.hessian);
-            s.add_block(pair::ROW, i, k, 1, &negative(&e.hessian));
-            s.add_block(pair::SELF, i, k, 1, &e.hessian);
-            g.add_rows(i, k, 0, -e.gradient);
-            g.add_rows(i, k, 1, e.gradient);
         }
     }
 }
@@ -111,34 +117,32 @@ fn negative<T: Num>(m: &[[T; 3]; 3]) -> [[T; 3]; 3] {
     m.map(|row| row.map(|v| -v))
 }
 
-/// DOG rows: residuals, `JᵀC/δ` and `JᵀJ/δ`.
+/// DOG rows of column `i`: residuals, `JᵀC/δ` and `JᵀJ/δ`.
 #[inline(always)]
 fn stars<R: Real, G: Grid>(
     sheet: &Sheet<R, G>,
     leaf: &Leaf<R, G>,
-    s: &mut Stencil<R, G>,
+    i: usize,
+    s: &mut impl Blocks<R, G>,
     g: &mut Field<R, G>,
-    j: &mut Jacobian<R, G>,
 ) {
     let scales = sheet.row_scales();
-    for i in 1..G::NX - 1 {
-        for k in blocks::<G>() {
-            let weight = sheet.star.rows(i, k);
-            let rows = star(&leaf.x, i, k).rows(scales.map(|v| R::Lanes::all(v) * weight));
-            let mut by_node = [[V3::zero(); 5]; 3];
-            let mut pull = [V3::zero(); 5];
-            for (r, (row, named)) in rows.iter().zip(ROWS).enumerate() {
-                j.set(i, k, r, &row.gradient, row.value);
-                if let Some(nodes) = by_node.get_mut(r) {
-                    spread(nodes, named, &row.gradient);
-                    for (p, n) in pull.iter_mut().zip(nodes.iter()) {
-                        *p = *p + *n * row.value;
-                    }
-                }
-            }
-            add_star_gradient(g, i, k, &pull);
-            add_star_blocks(s, i, k, &by_node);
+    for k in groups::<R, G>() {
+        let weight = sheet.star.rows(i, k);
+        if weight.largest() <= R::ZERO {
+            continue;
         }
+        let rows = star(&leaf.x, i, k).rows(scales.map(|v| R::Lanes::all(v) * weight));
+        let mut by_node = [[V3::zero(); 5]; 3];
+        let mut pull = [V3::zero(); 5];
+        for ((row, named), nodes) in rows.iter().zip(ROWS).zip(&mut by_node) {
+            spread(nodes, named, &row.gradient);
+            for (p, n) in pull.iter_mut().zip(nodes.iter()) {
+                *p = *p + *n * row.value;
+            }
+        }
+        add_star_gradient(g, i, k, &pull);
+        add_star_blocks(s, i, k, &by_node);
     }
 }
 
@@ -151,9 +155,9 @@ fn add_star_gradient<R: Real, G: Grid>(
 ) {
     g.add_rows(i + 1, k, 0, p[0]);
     g.add_rows(i, k, 1, p[1]);
-    g.add_rows(i - 1, k, 0, p[2]);
-    g.add_rows(i, k, -1, p[3]);
     g.add_rows(i, k, 0, p[4]);
+    g.add_rows(i, k, -1, p[3]);
+    g.add_rows(i - 1, k, 0, p[2]);
 }
 
 /// The fifteen pairs of a star's nodes, each stored at the later node: `(later, earlier, pair, column, row)`.
@@ -177,12 +181,16 @@ const PAIRS: [(usize, usize, usize, isize, isize); 15] = [
 
 #[inline(always)]
 fn add_star_blocks<R: Real, G: Grid>(
-    s: &mut Stencil<R, G>,
+    s: &mut impl Blocks<R, G>,
     i: usize,
     k: usize,
     rows: &[[V3<R::Lanes>; 5]; 3],
 ) {
     for (later, earlier, which, column, shift) in PAIRS {
+        // The column at the spine is held.
+        if column < 0 && i == 1 {
+            continue;
+        }
         let mut block = [[R::Lanes::zero(); 3]; 3];
         for nodes in rows {
             let (Some(a), Some(b)) = (nodes.get(later), nodes.get(earlier)) else { continue };
@@ -196,18 +204,20 @@ fn add_star_blocks<R: Real, G: Grid>(
     }
 }
 
-/// The hand's pull.
+/// The hand's pull, if it holds a node of column `i`.
 #[inline(always)]
 fn grabbed<R: Real, G: Grid>(
     sheet: &Sheet<R, G>,
     leaf: &Leaf<R, G>,
     ask: &Ask<R>,
-    s: &mut Stencil<R, G>,
+    i: usize,
+    s: &mut impl Blocks<R, G>,
     g: &mut Field<R, G>,
 ) {
-    let Some(Grab { node: (i, k), target }) = ask.grab else { return };
-    g.set(i, k, g.at(i, k) + position::gradient(leaf.x.at(i, k), target, sheet.position));
-    for c in 0..3 {
-        s.add(pair::SELF, c, c, i, k, position::hessian(sheet.position));
+    let Some(Grab { node: (held, k), target }) = ask.grab else { return };
+    if held != i {
+        return;
     }
+    g.set(i, k, g.at(i, k) + position::gradient(leaf.x.at(i, k), target, sheet.position));
+    s.add_diagonal(i, k, position::hessian(sheet.position));
 }

@@ -6,14 +6,15 @@ use crate::potential::bending;
 use crate::real::{Lanes, Num, Real, V3};
 use crate::state::{Field, Leaf, Sheet};
 
-/// Bending of column `i`: `2 s_n L` at each node its differences name.
+/// Adds to the gradient `own` and the bending of column `i`, `2 s_n L` at each node its differences name,
+/// and the twist of the cells before it.
 #[inline(always)]
 pub(super) fn bend<R: Real, G: Grid>(
     sheet: &Sheet<R, G>,
     leaf: &Leaf<R, G>,
     i: usize,
     k: usize,
-    own: &mut V3<R::Lanes>,
+    own: V3<R::Lanes>,
     g: &mut Field<R, G>,
 ) {
     let (a, b) = (sheet.across.rows(i, k), sheet.along.rows(i, k));
@@ -21,31 +22,17 @@ pub(super) fn bend<R: Real, G: Grid>(
     let (lx, lz) = differences(sheet, &leaf.x, i, k);
     let (px, pz) = (lx + lz * chi, lz + lx * chi);
     let two = R::Lanes::of(2.0);
-    *own = *own + bending::gradient(px, two * a) + bending::gradient(pz, two * b);
-    let (towards_x, towards_z) = (bending::gradient(px, -a), bending::gradient(pz, -b));
-    g.add_rows(i - 1, k, 0, towards_x);
+    let own = own + bending::gradient(px, two * a) + bending::gradient(pz, two * b);
+    let (across, along) = (bending::gradient(px, -a), bending::gradient(pz, -b));
+    let cell = bending::gradient(cell_twist(sheet, &leaf.x, i, k), sheet.twist.rows(i - 1, k));
+    g.add_rows(i - 1, k, 1, -cell);
+    g.add_rows(i, k, 1, along + cell);
+    g.add_rows(i - 1, k, 0, across + cell);
+    g.add_rows(i, k, 0, own - cell);
     if i + 1 < G::NX {
-        g.add_rows(i + 1, k, 0, towards_x);
+        g.add_rows(i + 1, k, 0, across);
     }
-    g.add_rows(i, k, 1, towards_z);
-    g.add_rows(i, k, -1, towards_z);
-}
-
-/// Twist of the cells between columns `i - 1` and `i`.
-#[inline(always)]
-pub(super) fn twist<R: Real, G: Grid>(
-    sheet: &Sheet<R, G>,
-    leaf: &Leaf<R, G>,
-    i: usize,
-    k: usize,
-    g: &mut Field<R, G>,
-) {
-    let c = sheet.twist.rows(i - 1, k);
-    let pull = bending::gradient(cell_twist(sheet, &leaf.x, i, k), c);
-    g.add_rows(i - 1, k, 0, pull);
-    g.add_rows(i, k, 0, -pull);
-    g.add_rows(i - 1, k, 1, -pull);
-    g.add_rows(i, k, 1, pull);
+    g.add_rows(i, k, -1, along);
 }
 
 /// `T` of the cells between columns `i - 1` and `i`.

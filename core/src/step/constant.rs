@@ -5,7 +5,7 @@ use crate::kkt::Stencil;
 use crate::kkt::stencil::NEIGHBOURS;
 use crate::potential::bending;
 use crate::real::Real;
-use crate::state::field::{Field, Heights, blocks};
+use crate::state::field::{Field, Heights, groups};
 use crate::state::{Root, Sheet};
 
 /// The constant part of the matrix: bending and inertia, one number a pair of nodes.
@@ -75,13 +75,11 @@ impl<R: Real, G: Grid> Constant<R, G> {
         }
     }
 
-    /// Starts the matrix with it.
-    pub fn copy_into(&self, s: &mut Stencil<R, G>) {
+    /// Starts the rows of column `i` of the matrix with it.
+    pub fn copy_into(&self, s: &mut Stencil<R, G>, i: usize) {
         for (n, plane) in self.planes.iter().enumerate() {
-            for i in 1..G::NX {
-                for k in blocks::<G>() {
-                    s.set_scalar(n, i, k, plane.rows(i, k));
-                }
+            for k in groups::<R, G>() {
+                s.set_scalar(n, i, k, plane.rows(i, k));
             }
         }
     }

@@ -3,16 +3,19 @@
 use super::ask::Ask;
 use super::assemble::assemble;
 use super::constant::Constant;
-use super::jacobian::{Jacobian, spread};
+use super::matrix::Matrix;
+#[cfg(feature = "seed")]
+use super::matrix::NoMatrix;
 use super::merit::merit;
 use super::report::{StepReport, StepStatus};
+use super::star::{spread, star};
 use crate::constraint::dog::ROWS;
 use crate::grid::Grid;
 use crate::kkt::solve::Unknowns;
 use crate::kkt::{Factor, Stencil};
 use crate::real::{Lanes, Num, Real, V3};
 use crate::scene::Settings;
-use crate::state::field::{Field, blocks};
+use crate::state::field::{Field, groups};
 use crate::state::{Leaf, Root, Sheet};
 
 /// Least weight of the residual in the merit. Source: RHS19.
@@ -30,7 +33,6 @@ pub struct Solver<R: Real, G: Grid> {
     filled_for: Option<(R, bool)>,
     stencil: Stencil<R, G>,
     factor: Factor<R, G>,
-    jacobian: Jacobian<R, G>,
     gradient: Field<R, G>,
     aim: Field<R, G>,
     start: Field<R, G>,
@@ -47,7 +49,6 @@ impl<R: Real, G: Grid> Solver<R, G> {
         filled_for: None,
         stencil: Stencil::ZERO,
         factor: Factor::ZERO,
-        jacobian: Jacobian::ZERO,
         gradient: Field::ZERO,
         aim: Field::ZERO,
         start: Field::ZERO,
@@ -83,7 +84,9 @@ impl<R: Real, G: Grid> Solver<R, G> {
         self.prepare(sheet, ask);
         self.aim_at(leaf, ask);
         for _ in 0..dials.newton {
+            #[cfg_attr(not(feature = "seed"), expect(unused_mut))]
             let mut status = self.newton(sheet, leaf, ask, dials, report);
+            #[cfg(feature = "seed")]
             for _ in 0..dials.refinements {
                 if status.failed() {
                     break;
@@ -124,13 +127,16 @@ impl<R: Real, G: Grid> Solver<R, G> {
         dials: &Settings,
         report: &mut StepReport,
     ) -> StepStatus {
-        self.assemble(sheet, leaf, ask);
-        self.factor.factor(&self.stencil);
+        self.inertia(sheet, leaf, ask);
+        let Self { constant, stencil, factor, gradient, dx, .. } = self;
+        assemble(sheet, leaf, dx, ask, &mut Matrix { constant, stencil, factor }, gradient);
+        self.factor.decompose();
         report.regularised += self.factor.regularised;
         self.take(sheet, leaf, ask, dials, report)
     }
 
     /// A step with the factor of the last pose: cheap, and it converges where the pose has hardly changed.
+    #[cfg(feature = "seed")]
     fn refine(
         &mut self,
         sheet: &Sheet<R, G>,
@@ -139,22 +145,9 @@ impl<R: Real, G: Grid> Solver<R, G> {
         dials: &Settings,
         report: &mut StepReport,
     ) -> StepStatus {
-        self.assemble(sheet, leaf, ask);
-        self.take(sheet, leaf, ask, dials, report)
-    }
-
-    fn assemble(&mut self, sheet: &Sheet<R, G>, leaf: &Leaf<R, G>, ask: &Ask<R>) {
         self.inertia(sheet, leaf, ask);
-        assemble(
-            sheet,
-            leaf,
-            &self.constant,
-            &self.dx,
-            ask,
-            &mut self.stencil,
-            &mut self.gradient,
-            &mut self.jacobian,
-        );
+        assemble(sheet, leaf, &self.dx, ask, &mut NoMatrix, &mut self.gradient);
+        self.take(sheet, leaf, ask, dials, report)
     }
 
     /// Solves for the step and takes it.
@@ -179,7 +172,8 @@ impl<R: Real, G: Grid> Solver<R, G> {
             self.try_step(leaf, R::of(1.0));
             return StepStatus::Converged;
         }
-        let mu = R::of(LEAST_MU).larger(R::of(MU_OVER_LAMBDA) * self.largest_multiplier(sheet));
+        let mu =
+            R::of(LEAST_MU).larger(R::of(MU_OVER_LAMBDA) * self.largest_multiplier(sheet, leaf));
         self.line_search(sheet, leaf, ask, mu, dials.trials, report)
     }
 
@@ -192,7 +186,7 @@ impl<R: Real, G: Grid> Solver<R, G> {
     fn inertia(&mut self, sheet: &Sheet<R, G>, leaf: &Leaf<R, G>, ask: &Ask<R>) {
         let scale = R::Lanes::all(R::of(1.0) / (ask.h * ask.h));
         for i in 0..G::NX {
-            for k in blocks::<G>() {
+            for k in groups::<R, G>() {
                 let away = leaf.x.rows(i, k, 0) - self.aim.rows(i, k, 0);
                 self.dx.set_rows(i, k, 0, away * (sheet.mass.rows(i, k) * scale));
             }
@@ -221,11 +215,16 @@ impl<R: Real, G: Grid> Solver<R, G> {
         }
     }
 
-    /// `max |λ|`, with `λ = (C + J dx) / δ`.
-    fn largest_multiplier(&self, sheet: &Sheet<R, G>) -> R {
+    /// `max |λ|`, with `λ = (C + J dx) / δ` at the pose the step starts from.
+    fn largest_multiplier(&self, sheet: &Sheet<R, G>, leaf: &Leaf<R, G>) -> R {
         let mut largest = R::Lanes::zero();
+        let scales = sheet.row_scales().map(R::Lanes::all);
         for i in 1..G::NX - 1 {
-            for k in blocks::<G>() {
+            for k in groups::<R, G>() {
+                let weight = sheet.star.rows(i, k);
+                if weight.largest() <= R::ZERO {
+                    continue;
+                }
                 let steps = [
                     self.dx.rows(i + 1, k, 0),
                     self.dx.rows(i, k, 1),
@@ -233,12 +232,12 @@ impl<R: Real, G: Grid> Solver<R, G> {
                     self.dx.rows(i, k, -1),
                     self.dx.rows(i, k, 0),
                 ];
-                for (r, named) in ROWS.into_iter().enumerate() {
-                    let (gradient, residual) = self.jacobian.row(i, k, r);
+                let rows = star(&leaf.x, i, k).rows(scales.map(|v| v * weight));
+                for (row, named) in rows.iter().zip(ROWS) {
                     let mut nodes = [V3::zero(); 5];
-                    spread(&mut nodes, named, &gradient);
+                    spread(&mut nodes, named, &row.gradient);
                     let lambda =
-                        nodes.iter().zip(steps).fold(residual, |sum, (g, d)| sum + g.dot(d));
+                        nodes.iter().zip(steps).fold(row.value, |sum, (g, d)| sum + g.dot(d));
                     largest = largest.larger(lambda.magnitude());
                 }
             }

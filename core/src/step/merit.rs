@@ -2,11 +2,11 @@
 
 use super::ask::Ask;
 use super::bend::{cell_twist, differences, hinge_laplacian};
-use super::jacobian::star;
+use super::star::star;
 use crate::grid::Grid;
 use crate::potential::{bending, contact, gravity, isometry, position};
-use crate::real::{Lanes, Num, Real, V2, V3};
-use crate::state::field::{Field, blocks, row_mask};
+use crate::real::{Eight, LANES, Lanes, Num, Real, V2, V3};
+use crate::state::field::{Field, groups};
 use crate::state::{Grab, Leaf, Root, Sheet};
 
 /// The two parts of the merit at one pose.
@@ -33,11 +33,13 @@ pub fn merit<R: Real, G: Grid>(
     aim: &Field<R, G>,
     ask: &Ask<R>,
 ) -> Merit<R> {
-    let mut energy = R::Lanes::zero();
-    let mut residual = R::Lanes::zero();
-    for k in blocks::<G>() {
-        let inside = row_mask::<R>(k, 0, G::NZ);
-        let between = row_mask::<R>(k, 0, G::NZ - 1);
+    // Eight partial sums, however many rows travel together.
+    let (mut energies, mut residuals) = ([R::ZERO; LANES], [R::ZERO; LANES]);
+    for k in groups::<R, G>() {
+        let inside = R::Lanes::mask(k, 0, G::NZ);
+        let between = R::Lanes::mask(k, 0, G::NZ - 1);
+        let mut energy = R::Lanes::load(&energies, k % LANES);
+        let mut residual = R::Lanes::load(&residuals, k % LANES);
         for i in 1..G::NX {
             energy = energy
                 + node_energy(sheet, leaf, x, aim, ask, i, k)
@@ -46,9 +48,15 @@ pub fn merit<R: Real, G: Grid>(
                 residual = residual + star_residual(sheet, x, i, k);
             }
         }
+        energy.store(&mut energies, k % LANES);
+        residual.store(&mut residuals, k % LANES);
     }
-    let alone = energy.sum() + clamp_energy(sheet, x, ask) + grab_energy(sheet, x, ask);
-    Merit { energy: alone, residual: (residual.sum() * sheet.delta).root() }
+    let alone = sum(energies) + clamp_energy(sheet, x, ask) + grab_energy(sheet, x, ask);
+    Merit { energy: alone, residual: (sum(residuals) * sheet.delta).root() }
+}
+
+fn sum<R: Real>(partial: [R; LANES]) -> R {
+    R::Eight::from_array(partial).sum()
 }
 
 /// Inertia, weight, bending and contact of eight rows.
@@ -100,6 +108,9 @@ fn star_residual<R: Real, G: Grid>(
     k: usize,
 ) -> R::Lanes {
     let weight = sheet.star.rows(i, k);
+    if weight.largest() <= R::ZERO {
+        return R::Lanes::zero();
+    }
     let [a, b, c] = star(x, i, k).values(sheet.row_scales().map(|v| R::Lanes::all(v) * weight));
     a * a + b * b + c * c
 }

@@ -12,14 +12,15 @@
 
 pub mod ask;
 pub mod constant;
-pub mod jacobian;
 mod bend;
 #[cfg(feature = "faults")]
 mod fault;
 pub mod assemble;
 pub mod leaf;
+pub mod matrix;
 pub mod merit;
 pub mod report;
+mod star;
 pub mod strip;
 
 pub use ask::Ask;

@@ -13,7 +13,7 @@ use dogleaf_core::state::strip::{BLOCK, Fibre};
 use dogleaf_core::state::{Field, Leaf};
 use dogleaf_core::step::assemble::assemble;
 use dogleaf_core::step::constant::Constant;
-use dogleaf_core::step::jacobian::Jacobian;
+use dogleaf_core::step::matrix::Matrix;
 use dogleaf_core::step::merit::merit;
 use dogleaf_core::step::strip::{StripAsk, step as step_strip};
 use serde::Serialize;
@@ -57,7 +57,6 @@ struct Work<R: Real, G: Grid> {
     constant: Constant<R, G>,
     stencil: Stencil<R, G>,
     factor: Factor<R, G>,
-    jacobian: Jacobian<R, G>,
     gradient: Field<R, G>,
     inertia: Field<R, G>,
     unknowns: Unknowns<R, G>,
@@ -71,7 +70,6 @@ impl<R: Real, G: Grid> Parts<R, G> {
             constant: Constant::ZERO,
             stencil: Stencil::ZERO,
             factor: Factor::ZERO,
-            jacobian: Jacobian::ZERO,
             gradient: Field::ZERO,
             inertia: Field::ZERO,
             unknowns: Unknowns::ZERO,
@@ -108,10 +106,11 @@ impl<R: Real, G: Grid> Work<R, G> {
         let sheet = &*poses.sheet;
         let midline = timed(|| step_midline(pose));
         let assemble = timed(|| {
-            let Self { constant, stencil, gradient, jacobian, inertia, .. } = self;
-            assemble(sheet, &pose.leaf, constant, inertia, &pose.ask, stencil, gradient, jacobian);
+            let Self { constant, stencil, factor, gradient, inertia, .. } = self;
+            let mut matrix = Matrix { constant, stencil, factor };
+            assemble(sheet, &pose.leaf, inertia, &pose.ask, &mut matrix, gradient);
         });
-        let factor = timed(|| self.factor.factor(&self.stencil));
+        let factor = timed(|| self.factor.decompose());
         let rhs = self.gradient.raw().iter().cycle();
         self.unknowns.numbers_mut().iter_mut().zip(rhs).for_each(|(u, &g)| *u = g);
         let solve = timed(|| self.factor.solve(&mut self.unknowns));

@@ -10,7 +10,6 @@ use dogleaf_core::real::Real;
 use dogleaf_core::state::{Leaf, Sheet};
 use dogleaf_core::step::Solver;
 use dogleaf_core::step::constant::Constant;
-use dogleaf_core::step::jacobian::Jacobian;
 use dogleaf_core::{Book, LoneLeaf};
 use serde::Serialize;
 use std::io::{self, Write};
@@ -55,7 +54,6 @@ pub(super) struct Bytes {
     constant: usize,
     stencil: usize,
     factor: usize,
-    jacobian: usize,
 }
 
 impl Bytes {
@@ -69,7 +67,6 @@ impl Bytes {
             constant: size_of::<Constant<R, G>>(),
             stencil: size_of::<Stencil<R, G>>(),
             factor: size_of::<Factor<R, G>>(),
-            jacobian: size_of::<Jacobian<R, G>>(),
         }
     }
 }
@@ -114,8 +111,8 @@ impl Side {
         writeln!(out, "{} steps with a leaf in the air", self.steps)?;
         writeln!(
             out,
-            "bytes: book {}, of it leaf {}, sheet {}, solver {} (matrix {}, factor {}, Jacobian {})",
-            b.book, b.leaf, b.sheet, b.solver, b.stencil, b.factor, b.jacobian
+            "bytes: book {}, of it leaf {}, sheet {}, solver {} (growing columns {}, factor {})",
+            b.book, b.leaf, b.sheet, b.solver, b.stencil, b.factor
         )?;
         let counts = serde_json::to_string(&self.counts).unwrap_or_default();
         writeln!(out, "counts: {}", counts.replace(['{', '}', '"'], "").replace(',', ", "))?;
