@@ -2,6 +2,7 @@
 //!
 //! It is where paper is measured against the heavy elastica, and the smallest scene there is.
 
+use super::open::SEED_GRAVITY;
 use crate::grid::Grid;
 use crate::real::{Real, V2, V3};
 use crate::scene::units::WIDTH;
@@ -81,7 +82,9 @@ impl<R: Real, G: Grid> LoneLeaf<R, G> {
             root: Root::Clamp(V3([angle.cosine(), angle.sine(), 0.0].map(R::of))),
             grab: None,
         };
-        self.sheet.fill(WIDTH, self.units.length(spec.height_m), paper, &self.units, 1.0);
+        let (height, pull) = (self.units.length(spec.height_m), self.ask.gravity.norm().wide());
+        self.sheet.fill(WIDTH, height, paper, &self.units, pull / SEED_GRAVITY);
+        self.sheet.clamp(paper);
         self.set_settings(fidelity.settings())?;
         self.lay(angle);
         Ok(())

@@ -71,6 +71,10 @@ pub struct Book<R: Real, G: Grid> {
     still_us: u64,
     /// Time since anything was last held, microseconds.
     idle_us: u64,
+    /// Strain of the leaf's most stretched edge.
+    strain: R,
+    /// Steps taken back since the last that was not.
+    stuck: u32,
     /// The last step had to be taken back: the next is taken without the hand's pull.
     eased: bool,
     /// Nudges since the leaf was last seen off its edge.
@@ -167,6 +171,7 @@ impl<R: Real, G: Grid> Book<R, G> {
         hash.word(u64::from(self.binding.leaves[0]) | u64::from(self.binding.held) << 32);
         hash.word(self.still_us);
         hash.word(self.idle_us << 1 | u64::from(self.eased));
+        hash.word(u64::from(self.stuck));
         hash.real(self.press);
         if let Some(guide) = &self.guide {
             guide.digest(&mut hash);
@@ -206,6 +211,7 @@ impl<R: Real, G: Grid> Book<R, G> {
         self.nudges = 0;
         self.press = R::ZERO;
         self.landed = false;
+        self.stuck = 0;
     }
 }
 

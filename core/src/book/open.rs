@@ -109,6 +109,8 @@ impl<R: Real, G: Grid> Book<R, G> {
         owed_us: 0,
         still_us: 0,
         idle_us: 0,
+        strain: R::ZERO,
+        stuck: 0,
         eased: false,
         nudges: 0,
         press: R::ZERO,

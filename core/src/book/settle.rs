@@ -16,7 +16,16 @@ const STILL_US: u64 = 120_000;
 const FLOATING_US: u64 = 1_000_000;
 /// A landed leaf is merged after this long, a book nobody holds sleeps after that long, whatever still
 /// trembles in it, microseconds.
-const LANDED_US: u64 = 3_000_000;
+const LANDED_US: u64 = 2_500_000;
+/// A leaf with some weight that nobody held for so long has fallen, wherever it hangs, microseconds.
+const FALLEN_US: u64 = 3_000_000;
+/// Weight enough for that, model units/s²: a fiftieth of the earth's.
+const HEAVY: f64 = 18.0;
+/// From then on blocks slower than this are put to rest, model units/s.
+const RESTLESS_US: u64 = 3_700_000;
+const RESTLESS: f64 = 3.0;
+/// Steps taken back one after the other before a leaf nobody holds is laid down.
+const STUCK: u32 = 30;
 const IDLE_US: u64 = 20_000_000;
 /// How fast the weight that lays a landed leaf flat grows, in its own weights, 1/s.
 const PRESSING: f64 = 60.0;
@@ -38,11 +47,12 @@ impl<R: Real, G: Grid> Book<R, G> {
         }
         self.idle_us =
             if self.guide.is_some() { 0 } else { self.idle_us + u64::from(self.step_us) };
-        if self.idle_us >= LANDED_US && self.active && self.landed {
+        if self.active && self.guide.is_none() && self.overdue() {
             report.forced_rests += 1;
             self.merge();
         }
-        if self.idle_us >= IDLE_US {
+        let slow = !self.active && self.midline_speed() < R::of(RESTLESS);
+        if self.idle_us >= IDLE_US || (slow && self.idle_us >= RESTLESS_US) {
             report.forced_rests += 1;
             self.fall_asleep();
             return;
@@ -85,6 +95,14 @@ impl<R: Real, G: Grid> Book<R, G> {
     fn rests_on_its_foot(&self) -> bool {
         let level = self.gravity.0[1] < R::ZERO;
         level && !self.upright() && (self.landed || self.leaf.fastest() < R::of(BALANCED))
+    }
+
+    /// The leaf should have come to lie by now, or never will.
+    fn overdue(&self) -> bool {
+        let heavy = self.gravity.0[1] < R::of(-HEAVY);
+        self.stuck >= STUCK
+            || (self.landed && self.idle_us >= LANDED_US)
+            || (heavy && self.idle_us >= FALLEN_US)
     }
 
     fn still(&self) -> bool {

@@ -122,14 +122,16 @@ impl<R: Real, G: Grid> Book<R, G> {
         own.pushed = done.pushed;
         if !self.leaf.x.finite() {
             own.status = StepStatus::Held;
-        } else if !self.in_band() {
+        } else if !self.measure() {
             own.status = StepStatus::Recovered;
         }
         if matches!(own.status, StepStatus::Held | StepStatus::Recovered) {
             self.keep_pose();
             self.eased = true;
+            self.stuck += 1;
         } else {
             self.velocities();
+            self.stuck = 0;
         }
         report.add(&own);
     }
@@ -156,6 +158,7 @@ impl<R: Real, G: Grid> Book<R, G> {
         self.leaf.v.clear();
         self.leaf.pushed.clear();
         self.leaf.holding.clear();
+        let _ = self.measure();
     }
 
     /// `v = (x - x_before) / h`, after the collisions.
@@ -167,8 +170,9 @@ impl<R: Real, G: Grid> Book<R, G> {
         }
     }
 
-    /// Whether every edge has a length a sheet of paper can have.
-    fn in_band(&self) -> bool {
+    /// Measures how much the most stretched edge is strained. Answers whether every edge has a length a sheet
+    /// of paper can have.
+    pub(super) fn measure(&mut self) -> bool {
         let [across, along] = self.sheet.spacing.map(|l| R::Lanes::all(R::of(1.0) / (l * l)));
         let (mut least, mut most) = (R::Lanes::one(), R::Lanes::one());
         for k in groups::<R, G>() {
@@ -186,7 +190,8 @@ impl<R: Real, G: Grid> Book<R, G> {
                 }
             }
         }
-        let smallest = (-least).largest();
-        smallest < R::of(-BAND.0) && most.largest() < R::of(BAND.1)
+        let (smallest, largest) = (-(-least).largest(), most.largest());
+        self.strain = largest.root() - R::of(1.0);
+        smallest > R::of(BAND.0) && largest < R::of(BAND.1)
     }
 }

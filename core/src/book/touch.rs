@@ -7,7 +7,7 @@ use crate::grid::Grid;
 use crate::hand::tent::Tent;
 use crate::hand::view::Ray;
 use crate::hand::{Guide, Phase, Reach, Sample, pick::pick};
-use crate::real::{Real, V3};
+use crate::real::{Real, V2, V3};
 use crate::state::Grab;
 use crate::step::StepReport;
 
@@ -126,7 +126,7 @@ impl<R: Real, G: Grid> Book<R, G> {
         let sign = R::of(if on_right { 1.0 } else { -1.0 });
         let outline = profile.outline(above);
         let places = crate::collision::profile::stride(&outline, self.sheet.spacing[0]);
-        self.leaf.lay(self.sheet.spacing, places.map(|p| crate::real::V2([p.0[0] * sign, p.0[1]])));
+        self.leaf.lay(self.sheet.spacing, places.map(|p| V2([p.0[0] * sign, p.0[1]])));
         let root = self.binding.root();
         for k in 0..G::NZ {
             let at = self.leaf.x.at(0, k);
@@ -135,6 +135,21 @@ impl<R: Real, G: Grid> Book<R, G> {
         // The block already carries the leaf: without these contacts the first solve would sink it.
         let half = self.binding.half_held() + R::of(SKIN);
         let _ = resolve(&mut self.leaf, [&profiles[0], &profiles[1]], half, 1, &mut self.scratch);
+        if !self.measure() {
+            self.lay_straight(sign, profile.top() + above);
+        }
+    }
+
+    /// On a block so folded that no sheet could lie on it the leaf stands out straight instead, rising to a
+    /// height above all of it.
+    fn lay_straight(&mut self, sign: R, height: R) {
+        let width = R::of(crate::scene::units::WIDTH);
+        let rise = (height / width).smaller(R::of(0.9));
+        let run = (R::of(1.0) - rise * rise).root() * sign;
+        let (root, step) = (self.binding.root(), self.sheet.spacing[0]);
+        let place = |n: usize| root + V2([run, rise]) * (step * R::of(n as f64));
+        self.leaf.lay(self.sheet.spacing, (0..G::NX).map(place));
+        let _ = self.measure();
     }
 
     pub(super) fn reach(&self, (column, row): (usize, usize)) -> Reach<R> {
@@ -190,7 +205,7 @@ impl<R: Real, G: Grid> Book<R, G> {
         }
         let reach = self.reach(guide.node);
         let node = self.leaf.x.at(guide.node.0, guide.node.1);
-        let (target, leashed, holds) = guide.advance(node, &reach, self.h);
+        let (target, leashed, holds) = guide.advance(node, &reach, self.strain, self.h);
         report.clamped += u32::from(leashed);
         self.grab = holds.then_some(Grab { node: guide.node, target });
         self.guide = holds.then_some(guide);

@@ -12,6 +12,11 @@ use crate::state::Fnv;
 
 /// Furthest a target may be from the held node, model units: keeps the pull within what a sheet bears.
 const LEASH: f64 = 3.0;
+/// From this strain on a hand that tugs is followed less, and at that one hardly at all.
+const STRAINED: f64 = 0.03;
+const TORN: f64 = 0.12;
+/// What is then left of the leash.
+const LEAST_LEASH: f64 = 0.1;
 /// Pull down the tent while following through, units/s²: a flick of 0.3 m/s turns a page of 130 mm.
 const SLOPE_PULL: f64 = 60.0;
 /// Slowest release that follows through, units/s.
@@ -149,14 +154,22 @@ impl<R: Real> Guide<R> {
     /// whether the leash held it back, and whether the hand still holds.
     ///
     /// The leash runs along the tent: a target far ahead leads the node over the peak, not through the block.
-    pub fn advance(&mut self, node: V3<R>, reach: &Reach<R>, h: R) -> (V3<R>, bool, bool) {
+    /// It is the shorter, the more the sheet is strained: a finger that jumps about does not tear it.
+    pub fn advance(
+        &mut self,
+        node: V3<R>,
+        reach: &Reach<R>,
+        strain: R,
+        h: R,
+    ) -> (V3<R>, bool, bool) {
         let tent = &reach.tent;
         let here = node.0[0] - tent.root;
         let holds = match self.motion {
             Motion::Dragging => true,
             Motion::Following(speed) => self.follow(speed, here, reach, h),
         };
-        let leash = R::of(LEASH);
+        let spare = (R::of(TORN) - strain) * R::of(1.0 / (TORN - STRAINED));
+        let leash = R::of(LEASH) * spare.smaller(R::of(1.0)).larger(R::of(LEAST_LEASH));
         let asked = self.wanted.0[0] - tent.root;
         let x = asked.larger(here - leash).smaller(here + leash);
         let z = self.wanted.0[2].larger(node.0[2] - leash).smaller(node.0[2] + leash);

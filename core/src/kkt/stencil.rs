@@ -5,7 +5,7 @@
 //! columns are enough: [`Factor::take`](super::Factor::take) moves a finished one into the factor's panels.
 
 use crate::grid::{Grid, Store};
-use crate::real::{LANES, Lanes, Num, Real};
+use crate::real::{LANES, Lanes, Real};
 
 /// Steps `(di, dk)` from a node back to the earlier node of a pair; the first is the node itself.
 pub const NEIGHBOURS: [(usize, isize); 7] =
@@ -29,6 +29,8 @@ pub mod pair {
     pub const COLUMN2: usize = 6;
 }
 
+/// Numbers a node has: seven neighbours of nine.
+const ENTRIES: usize = 63;
 /// Columns kept.
 const COLUMNS: usize = 3;
 
@@ -56,6 +58,14 @@ impl<R: Real, G: Grid> Stencil<R, G> {
             *slot += value;
         }
     }
+    /// Zeros in the rows of column `i`.
+    #[inline(always)]
+    pub fn clear(&mut self, i: usize) {
+        let start = Self::place(0, 0, 0, i, 0);
+        if let Some(column) = self.0.as_mut().get_mut(start..start + ENTRIES * G::KP) {
+            column.fill(R::ZERO);
+        }
+    }
     /// Adds a 3x3 block for the rows that travel together; `shift` moves the rows of the later node. Of a
     /// node with itself only the lower triangle is kept.
     #[inline(always)]
@@ -78,14 +88,11 @@ impl<R: Real, G: Grid> Stencil<R, G> {
             }
         }
     }
-    /// Sets the three diagonal entries of a block for the rows that travel together, and clears the others.
+    /// Sets the three diagonal entries of a block for the rows that travel together.
     #[inline(always)]
     pub fn set_scalar(&mut self, neighbour: usize, i: usize, k: usize, value: R::Lanes) {
         for c in 0..3 {
-            for d in 0..3 {
-                let v = if c == d { value } else { R::Lanes::zero() };
-                v.store(self.0.as_mut(), Self::place(neighbour, c, d, i, k));
-            }
+            value.store(self.0.as_mut(), Self::place(neighbour, c, c, i, k));
         }
     }
 }

@@ -113,6 +113,30 @@ impl<R: Real, G: Grid> Sheet<R, G> {
     }
 }
 
+/// Compliances at a clamp and at the first nodes after it, in cells: Gregory's end correction of the trapezoid
+/// rule, which would have them a half and one.
+const AT_CLAMP: f64 = 9.0 / 24.0;
+const AFTER_CLAMP: [f64; 2] = [28.0 / 24.0, 23.0 / 24.0];
+
+impl<R: Real, G: Grid> Sheet<R, G> {
+    /// Weighs the bending where the leaf leaves a clamp so that a small droop is exact to third order.
+    ///
+    /// The droop is the integral of the compliance times the moment, which the joints sample. Near the clamp the
+    /// moment is steepest: left to the trapezoid rule, a strip of ten cells droops one percent too far however
+    /// stiff it is. The seed's own weights are left as they are.
+    pub fn clamp(&mut self, paper: &PaperSpec) {
+        if paper.weights.is_some() {
+            return;
+        }
+        self.hinge = self.hinge * R::of(0.5 / AT_CLAMP).root();
+        for (i, share) in (1..).zip(AFTER_CLAMP) {
+            for k in 0..G::NZ {
+                self.across.set(i, k, self.across.at(i, k) * R::of(1.0 / share).root());
+            }
+        }
+    }
+}
+
 fn border(n: usize, count: usize) -> bool {
     n == 0 || n + 1 == count
 }

@@ -77,6 +77,7 @@ impl<R: Real, G: Grid> Constant<R, G> {
 
     /// Starts the rows of column `i` of the matrix with it.
     pub fn copy_into(&self, s: &mut Stencil<R, G>, i: usize) {
+        s.clear(i);
         for (n, plane) in self.planes.iter().enumerate() {
             for k in groups::<R, G>() {
                 s.set_scalar(n, i, k, plane.rows(i, k));
