@@ -136,3 +136,34 @@ fn a_press_on_nothing_is_refused() {
     let above_the_head = sleeper.sample(Phase::Down, eye.page(0.5, -2.5));
     sleeper.refuses(&[above_the_head], "above the head");
 }
+
+/// What the check is worth: a book with a leaf in the air, a sample that waits, a hash that is another and an event
+/// nobody has read are each seen.
+#[test]
+fn the_check_can_fail() {
+    let wakers: [fn(&mut Sleeper); 4] = [
+        |s| assert!(s.book.take_up(true, 1), "there is a leaf"),
+        |s| {
+            let press = s.sample(Phase::Down, s.scene.eye().page(0.9, 0.8));
+            s.book.input(press).expect("in order");
+        },
+        |s| s.hash ^= 1,
+        |s| {
+            // Taken up and down again: all that is left of it is an event.
+            let other = s.scene.open::<f32, G11x8>().expect("a sound scene");
+            let mut book = core::mem::replace(&mut s.book, other);
+            let gesture = Gesture::corner_turn(&s.scene.eye(), 1);
+            play(&mut book, &gesture, 400, &mut |_, _| ());
+            s.hash = book.state_hash();
+            s.book = book;
+        },
+    ];
+    for (n, wake) in wakers.into_iter().enumerate() {
+        let seen = std::panic::catch_unwind(|| {
+            let mut sleeper = Sleeper::of(Scene::default());
+            wake(&mut sleeper);
+            sleeper.nothing_for(30, "the control");
+        });
+        assert!(seen.is_err(), "control {n} was not seen");
+    }
+}

@@ -150,7 +150,7 @@ fn wanted(tent: &Tent<f64>, node_z: f64, x: i32, y: i32) -> V3<f64> {
     let _ = guide.drag(&camera().ray(x, y), &reach, 8000);
     let mut at = origin;
     // The leash lets it come two units nearer each time.
-    (0..100).for_each(|_| at = guide.advance(at, &reach, 0.01).0);
+    (0..100).for_each(|_| at = guide.advance(at, &reach, 0.0, 0.01).0);
     at
 }
 

@@ -6,7 +6,7 @@ use crate::tally::Tally;
 use crate::words::{self, Result, Stop, no_args};
 
 /// Cheap words first; then in the order in which they can use each other's builds.
-const ORDER: [&[&str]; 9] = [
+const ORDER: [&[&str]; 13] = [
     &["fmt", "--check"],
     &["tree"],
     &["slots", "--check"],
@@ -16,6 +16,10 @@ const ORDER: [&[&str]; 9] = [
     &["test", "--debug"],
     &["test", "--release"],
     &["golden"],
+    &["hashes"],
+    &["size"],
+    &["wasm"],
+    &["fuzz"],
 ];
 
 /// `cargo ci all`. A word counts as one, and each test that it ran as one more.

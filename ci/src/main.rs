@@ -4,15 +4,19 @@
 
 mod all;
 mod bans;
+mod fuzz;
+mod hashes;
 mod no_std;
 mod peers;
 mod shell;
 mod seed_slots;
+mod size;
 mod slots;
 mod source;
 mod style;
 mod tally;
 mod tests;
+mod tools;
 mod tree;
 mod words;
 

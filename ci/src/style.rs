@@ -2,13 +2,20 @@
 
 use std::process::Command;
 
+use crate::hashes::BOARD;
 use crate::shell::{cargo, run_each};
 use crate::tally::Tally;
+use crate::tools;
 use crate::tree::core_features;
 use crate::words::{Result, flag, no_args};
 
 /// The peers stand outside of the workspace (they need a C++ library), but not outside of the style.
 const PEERS: &str = "ci/peers/Cargo.toml";
+/// So do the fuzz targets, which are built in a way of their own.
+const FUZZ: &str = "tests/fuzz/Cargo.toml";
+/// And what is built for many targets.
+const PROBE: &str = "tests/probe/Cargo.toml";
+const EINK: &str = "shells/eink/Cargo.toml";
 
 /// `cargo ci fmt [--check]`.
 pub(crate) fn fmt(args: &[String]) -> Result {
@@ -21,7 +28,8 @@ pub(crate) fn fmt(args: &[String]) -> Result {
         }
         c
     };
-    run_each([with(&["--all"]), with(&["--manifest-path", PEERS])])?;
+    let apart = |manifest| with(&["--manifest-path", manifest]);
+    run_each([with(&["--all"]), apart(PEERS), apart(FUZZ), apart(PROBE), apart(EINK)])?;
     Ok(Tally::default())
 }
 
@@ -35,6 +43,11 @@ pub(crate) fn lint(args: &[String]) -> Result {
         // Only `seed` has tests of its own that link on a host; a defmt binary wants a logger.
         let targets: &[&str] = if feature == "seed" { &["--all-targets"] } else { &[] };
         list.push(core(&[&["--features", feature.as_str()], targets].concat()));
+    }
+    list.push(clippy(&["--manifest-path", PROBE, "--all-targets"]));
+    // Without the target `hashes` says that it is missing.
+    if tools::target(BOARD).is_ok() {
+        list.push(clippy(&["--manifest-path", EINK, "--bins", "--target", BOARD]));
     }
     run_each(list)?;
     Ok(Tally::default())

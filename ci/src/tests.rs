@@ -2,7 +2,7 @@
 
 use std::process::Command;
 
-use crate::shell::{cargo, run, run_counting};
+use crate::shell::{apt_install, cargo, run, run_counting, succeeds};
 use crate::tally::Tally;
 use crate::words::{Result, Stop, flag};
 
@@ -44,8 +44,11 @@ fn command(release: bool, rest: &[String]) -> Command {
 /// The whole workspace is named so that cargo builds the same features as `test --release` did.
 pub(crate) fn golden(args: &[String]) -> Result {
     let bless = flag(args, "--bless")?;
-    let mut c = cargo(["test", "--workspace", "--release", "--test", "golden"]);
+    let mut c =
+        cargo(["test", "--workspace", "--release", "--test", "golden", "--test", "self_test"]);
+    // The tables that take minutes have been compared by `test --release`; they are blessed with the others.
     if bless {
+        c.args(["--test", "hard_cases", "--test", "soak"]);
         c.env("DOGLEAF_BLESS", "1");
     }
     run(&mut c)?;
@@ -53,6 +56,22 @@ pub(crate) fn golden(args: &[String]) -> Result {
         println!("Blessed. Look at the difference, and say in CHANGELOG.md why the figures moved.");
     }
     Ok(Tally::default())
+}
+
+/// `cargo ci cost`: the tests of `dogleaf-cost`, and the report that fits into a minute, which must name no fidelity beaten.
+pub(crate) fn cost(args: &[String]) -> Result {
+    crate::words::no_args(args)?;
+    // Without it instructions are not compared; errors are.
+    let _ = succeeds(&mut command_of("valgrind")) || apt_install(&["valgrind"]);
+    let (result, tally) = run_counting(&mut command(true, &["-p".into(), "dogleaf-cost".into()]));
+    result.map_err(|why| Stop::Failed(why, tally))?;
+    let mut c = cargo(["run", "--release", "-p", "dogleaf", "--", "cost", "--quick", "--out"]);
+    run(c.arg(crate::shell::target_dir().join("cost")))?;
+    Ok(tally)
+}
+
+fn command_of(program: &str) -> Command {
+    crate::shell::command(program, ["--version"])
 }
 
 #[cfg(test)]

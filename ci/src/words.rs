@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::tally::Tally;
-use crate::{all, no_std, peers, seed_slots, slots, style, tests, tree};
+use crate::{all, fuzz, hashes, no_std, peers, seed_slots, size, slots, style, tests, tree};
 
 /// Why a word did not pass.
 #[derive(Debug)]
@@ -74,9 +74,45 @@ const WORDS: &[Word] = &[
         run: tests::golden,
     },
     Word {
+        name: "hashes",
+        args: "[--bless]",
+        about: "the same bits on every target, at O0 and O3",
+        run: hashes::hashes,
+    },
+    Word {
+        name: "size",
+        args: "",
+        about: "the firmware's image: bytes, stack, instructions; no panic, no allocator",
+        run: size::size,
+    },
+    Word {
+        name: "wasm",
+        args: "",
+        about: "microseconds a step in node, with vectors and without",
+        run: hashes::wasm,
+    },
+    Word {
+        name: "soak",
+        args: "[--steps N] [--seed S] [--real f32|f64]",
+        about: "random books under random hands; failing cases are kept as recordings",
+        run: fuzz::soak,
+    },
+    Word {
+        name: "fuzz",
+        args: "[--seconds N] [TARGET..]",
+        about: "fuzz targets: a few seconds of each, always the same; or as long as one likes",
+        run: fuzz::fuzz,
+    },
+    Word {
+        name: "cost",
+        args: "",
+        about: "orders of convergence, the golden table of costs, a quick report",
+        run: tests::cost,
+    },
+    Word {
         name: "peers",
         args: "[ARG..]",
-        about: "time the step beside Eigen, in one process",
+        about: "time the step beside Eigen, MuJoCo and pyPBD; writes peers.json for `dogleaf cost`",
         run: peers::peers,
     },
     Word {

@@ -12,3 +12,6 @@ pub mod posed;
 pub mod random;
 pub mod stack;
 pub mod house;
+pub mod soak;
+pub mod crc;
+pub mod scenario;

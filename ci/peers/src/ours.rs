@@ -15,7 +15,7 @@ use dogleaf_core::state::{Field, Leaf, Root, Sheet};
 use dogleaf_core::step::Ask;
 use dogleaf_core::step::assemble::assemble;
 use dogleaf_core::step::constant::Constant;
-use dogleaf_core::step::jacobian::Jacobian;
+use dogleaf_core::step::matrix::Matrix;
 use dogleaf_tests::gesture::Scene;
 
 use crate::bench::{Contender, Pass, ns};
@@ -24,7 +24,8 @@ use crate::matrices::Matrices;
 /// `S dx = r` of one pose.
 #[derive(Debug, Clone)]
 struct System<R: Real> {
-    matrix: Stencil<R, G11x8>,
+    /// The matrix, which becomes its factor.
+    matrix: Factor<R, G11x8>,
     rhs: Unknowns<R, G11x8>,
 }
 
@@ -33,7 +34,6 @@ struct System<R: Real> {
 pub(crate) struct Condensed<R: Real> {
     name: &'static str,
     systems: Vec<Box<System<R>>>,
-    factor: Box<Factor<R, G11x8>>,
     /// The system at hand: copied before the clock starts, as Eigen's are.
     at_hand: Box<System<R>>,
 }
@@ -42,22 +42,23 @@ impl<R: Real> Condensed<R> {
     /// Assembles the matrix of every pose.
     pub(crate) fn new(name: &'static str, scene: &Scene, poses: &[Box<Book<R, G11x8>>]) -> Self {
         let mut constant = Box::new(Constant::ZERO);
-        let mut jacobian = Box::new(Jacobian::ZERO);
+        let mut growing = Box::new(Stencil::ZERO);
         let mut systems = Vec::new();
         for book in poses {
             let ask = ask(scene, book);
             let Some(leaf) = book.leaf() else { continue };
             constant.fill(book.sheet(), ask.h, ask.root);
-            let mut system = Box::new(System { matrix: Stencil::ZERO, rhs: Unknowns::ZERO });
+            let mut system = Box::new(System { matrix: Factor::ZERO, rhs: Unknowns::ZERO });
             let mut gradient = Field::ZERO;
             let inertia = inertia(book.sheet(), leaf, &ask);
-            let (s, g) = (&mut system.matrix, &mut gradient);
-            assemble(book.sheet(), leaf, &constant, &inertia, &ask, s, g, &mut jacobian);
+            let (stencil, factor) = (&mut *growing, &mut system.matrix);
+            let mut matrix = Matrix { constant: &constant, stencil, factor };
+            assemble(book.sheet(), leaf, &inertia, &ask, &mut matrix, &mut gradient);
             gather(&gradient, &mut system.rhs);
             systems.push(system);
         }
-        let at_hand = Box::new(System { matrix: Stencil::ZERO, rhs: Unknowns::ZERO });
-        Self { name, systems, factor: Box::new(Factor::ZERO), at_hand }
+        let at_hand = Box::new(System { matrix: Factor::ZERO, rhs: Unknowns::ZERO });
+        Self { name, systems, at_hand }
     }
 }
 
@@ -105,9 +106,9 @@ impl<R: Real> Contender for Condensed<R> {
             self.at_hand.clone_from(system);
             let System { matrix, rhs } = &mut *self.at_hand;
             let start = Instant::now();
-            self.factor.factor(black_box(matrix));
+            black_box(&mut *matrix).decompose();
             let factored = Instant::now();
-            self.factor.solve(black_box(rhs));
+            matrix.solve(black_box(rhs));
             pass.solve_ns.push(ns(factored));
             pass.factor_ns.push((factored - start).as_nanos() as u64);
             if black_box(rhs).numbers().iter().any(|v| !v.finite()) {
@@ -174,11 +175,12 @@ mod tests {
     use crate::turn::corner_turn;
 
     /// The largest `|S x - b|` of a pose over the largest `|S| |x| + |b|`.
-    fn error<R: Real>(contender: &mut Condensed<R>, n: usize) -> f64 {
+    fn error<R: Real>(contender: &Condensed<R>, n: usize) -> f64 {
         let system = contender.systems[n].clone();
-        contender.factor.factor(&system.matrix);
+        let mut factor = system.matrix.clone();
+        factor.decompose();
         let mut x = system.rhs.clone();
-        contender.factor.solve(&mut x);
+        factor.solve(&mut x);
         let x: Vec<f64> = x.numbers().iter().map(|v| v.wide()).collect();
         let mut left: Vec<f64> = system.rhs.numbers().iter().map(|v| v.wide()).collect();
         let mut size: Vec<f64> = left.iter().map(|v| v.abs()).collect();
@@ -201,10 +203,10 @@ mod tests {
     fn every_condensed_system_is_solved_and_every_step_steps() {
         let turn = corner_turn().expect("a sound scene");
         let mut single = Condensed::new("single", &turn.scene, &turn.single);
-        let mut double = Condensed::new("double", &turn.scene, &turn.double);
+        let double = Condensed::new("double", &turn.scene, &turn.double);
         assert_eq!((single.systems.len(), double.systems.len()), (turn.single.len(), 80));
         for n in 0..turn.single.len() {
-            let errors = (error(&mut single, n), error(&mut double, n));
+            let errors = (error(&single, n), error(&double, n));
             assert!(errors.0 < 1e-5 && errors.1 < 1e-13, "pose {n}: {errors:?}");
         }
         let mut pass = Pass::default();

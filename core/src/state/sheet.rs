@@ -128,7 +128,7 @@ impl<R: Real, G: Grid> Sheet<R, G> {
         if paper.weights.is_some() {
             return;
         }
-        self.hinge = self.hinge * R::of(0.5 / AT_CLAMP).root();
+        self.hinge *= R::of(0.5 / AT_CLAMP).root();
         for (i, share) in (1..).zip(AFTER_CLAMP) {
             for k in 0..G::NZ {
                 self.across.set(i, k, self.across.at(i, k) * R::of(1.0 / share).root());

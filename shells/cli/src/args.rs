@@ -17,6 +17,7 @@ use std::path::PathBuf;
   dogleaf run scene.toml --json -          a scene, frame by frame
   dogleaf replay turn.dlr                  the same bits again?
   dogleaf bench                            what a step costs here
+  dogleaf cost --quick                     what accuracy costs in time
 
 Exit code 0: done; 1: a check failed; 2: bad input."
 )]
@@ -32,6 +33,7 @@ pub(crate) enum Command {
     Run(RunArgs),
     Replay(ReplayArgs),
     Bench(BenchArgs),
+    Cost(crate::cost::CostArgs),
     Gestures(GesturesArgs),
 }
 

@@ -60,6 +60,9 @@ pub(crate) enum CliError {
     /// The animation cannot be written.
     #[error(transparent)]
     Anim(#[from] AnimError),
+    /// No report of costs can be made.
+    #[error(transparent)]
+    Cost(#[from] dogleaf_cost::CostError),
     /// The call asks for what does not go together, or is not there.
     #[error("{0}")]
     Call(String),

@@ -5,6 +5,7 @@
 
 mod args;
 mod bench;
+mod cost;
 mod error;
 mod files;
 mod gesture;
@@ -51,6 +52,7 @@ fn command(command: &Command) -> Result<(), CliError> {
         Command::Run(args) => run::run(args),
         Command::Replay(args) => replay::replay(args),
         Command::Bench(args) => bench::bench(args),
+        Command::Cost(args) => cost::cost(args),
         Command::Gestures(args) => gesture::write_all(&args.folder),
     }
 }

@@ -1,0 +1,82 @@
+//! Promise: only what a scene asks for is simulated. A book asleep takes no step and next to no time; drawing and
+//! recording change nothing; without a leaf in the air the leaf's solver is not touched.
+//!
+//! That what nobody asked for is not even in an image is seen by `cargo ci size`.
+
+#[path = "mesh_support.rs"]
+mod support;
+
+use dogleaf_core::Book;
+use dogleaf_core::grid::G11x8;
+use dogleaf_core::step::StepReport;
+use dogleaf_tests::gesture::{FRAME_US, Gesture, Scene, play};
+use std::hint::black_box;
+use std::time::Instant;
+use support::Mesh;
+
+/// Pictures of the turn that is compared.
+const FRAMES: u32 = 150;
+/// A sleeping picture may take this share of one with a leaf.
+const SHARE: f64 = 0.01;
+
+fn turned(mut look: impl FnMut(&Book<f32, G11x8>, &StepReport)) -> (u64, StepReport) {
+    let scene = Scene::default();
+    let mut book = scene.open::<f32, G11x8>().expect("a sound scene");
+    let samples = Gesture::corner_turn(&scene.eye(), 9);
+    let mut sum = StepReport::default();
+    play(&mut book, &samples, FRAMES, &mut |book, report| {
+        sum.add(report);
+        look(book, report);
+    });
+    (book.state_hash(), sum)
+}
+
+#[test]
+fn drawing_changes_nothing() {
+    let mut mesh = Mesh::new::<G11x8>();
+    let plain = turned(|_, _| {});
+    let drawn = turned(|book, _| mesh.draw(book));
+    assert_eq!(plain, drawn, "the same state and the same work, drawn or not");
+}
+
+#[test]
+fn without_a_leaf_in_the_air_its_solver_rests() {
+    let mut flat = StepReport::default();
+    let (_, all) = turned(|book, report| {
+        if book.leaf().is_none() && report.newton_steps == 0 {
+            flat.add(report);
+        }
+    });
+    assert!(all.newton_steps > 0 && all.passes > 0, "there was a leaf");
+    assert_eq!((flat.newton_steps, flat.passes, flat.cuts), (0, 0, 0), "and then none");
+}
+
+/// Least time of an `advance` over many, microseconds.
+fn least(rounds: u32, mut one: impl FnMut()) -> f64 {
+    let mut least = f64::INFINITY;
+    for _ in 0..rounds {
+        let start = Instant::now();
+        one();
+        least = least.min(start.elapsed().as_secs_f64() * 1e6);
+    }
+    least
+}
+
+#[test]
+fn a_sleeping_picture_costs_next_to_nothing() {
+    let scene = Scene::default();
+    let mut book = scene.open::<f32, G11x8>().expect("a sound scene");
+    let many = 1000;
+    let asleep = least(200, || {
+        for _ in 0..many {
+            black_box(book.advance(FRAME_US));
+        }
+    }) / f64::from(many);
+    assert!(book.take_up(true, 1), "there are leaves on the right");
+    let mut steps = 0;
+    let active = least(40, || steps += black_box(book.advance(FRAME_US)).newton_steps);
+    println!("asleep {asleep:.4} us, with a leaf {active:.1} us: {:.4}", asleep / active);
+    assert!(steps > 30, "the leaf was in the air");
+    assert!(asleep < SHARE * active, "{asleep} us asleep, {active} us awake");
+    assert!(active > SHARE * active, "the check would notice a book that does not sleep");
+}
