@@ -72,11 +72,17 @@ fn a_sleeping_picture_costs_next_to_nothing() {
             black_box(book.advance(FRAME_US));
         }
     }) / f64::from(many);
-    assert!(book.take_up(true, 1), "there are leaves on the right");
-    let mut steps = 0;
-    let active = least(40, || steps += black_box(book.advance(FRAME_US)).newton_steps);
+    let mut active = f64::INFINITY;
+    for _ in 0..20 {
+        assert!(book.take_up(true, 1), "there are leaves on the right");
+        while book.needs_frame() {
+            let mut steps = 0;
+            let time = least(1, || steps = black_box(book.advance(FRAME_US)).newton_steps);
+            active = if steps > 0 { active.min(time) } else { active };
+        }
+    }
     println!("asleep {asleep:.4} us, with a leaf {active:.1} us: {:.4}", asleep / active);
-    assert!(steps > 30, "the leaf was in the air");
+    assert!(active.is_finite(), "a leaf was in the air");
     assert!(asleep < SHARE * active, "{asleep} us asleep, {active} us awake");
     assert!(active > SHARE * active, "the check would notice a book that does not sleep");
 }
