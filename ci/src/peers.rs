@@ -18,14 +18,17 @@ pub(crate) fn peers(args: &[String]) -> Result {
     if !args.is_empty() {
         return Ok(Tally::default());
     }
-    let folder = target_dir().join("peers");
+    let absolute = |p: &Path| std::path::absolute(p).map_err(|e| Stop::from(e.to_string()));
+    let folder = absolute(&target_dir().join("peers"))?;
     let linear = folder.join("eigen.json");
     let json = eigen_run().args(["--json", "--repeats", "3"]).output();
     let text = json.map_err(|e| Stop::from(e.to_string()))?.stdout;
     std::fs::write(&linear, text).map_err(|e| Stop::from(e.to_string()))?;
     let python = wheels(&folder.join("python"))?;
     let out = folder.join("peers.json");
-    run(command(python, ["ci/peers/sheets.py"]).arg(&out).arg(&linear))?;
+    // MuJoCo leaves its log where it runs.
+    let script = absolute(Path::new("ci/peers/sheets.py"))?;
+    run(command(python, [script]).args([&out, &linear]).current_dir(&folder))?;
     println!("{}\nTo draw them: dogleaf cost --peers {}", out.display(), out.display());
     Ok(Tally::default())
 }

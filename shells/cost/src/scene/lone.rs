@@ -51,11 +51,11 @@ impl<R: Real, G: Grid> Lone<R, G> {
                 grab: None,
             },
         };
-        let pull = match stage.kind {
-            Kind::Turn => units.length(GRAVITY) / SEEDS_GRAVITY,
-            Kind::Fall => 1.0,
-        };
+        let pull = units.length(GRAVITY) / SEEDS_GRAVITY;
         new.sheet.fill(WIDTH, units.length(stage.size_m[1]), &stage.paper, &units, pull);
+        if stage.kind == Kind::Fall {
+            new.sheet.clamp(&stage.paper);
+        }
         new.sheet.regularise(config.delta);
         new.lay(stage);
         new
