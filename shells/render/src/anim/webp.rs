@@ -15,8 +15,9 @@ use crate::error::AnimError;
 
 /// Largest side a lossy frame can have, pixels.
 pub(super) const MAX_SIDE: u32 = 16_383;
-/// Fine print shows no ringing from here on.
-const QUALITY: f32 = 93.0;
+/// Fine print shows no ringing from the first on. The encoder cannot read back what it made of some rare
+/// pictures at one of them; then the next serves.
+const QUALITIES: [f32; 4] = [93.0, 95.0, 91.0, 88.0];
 /// Smoothing of block borders. The encoder's own default of 60 rounds small letters off and costs
 /// 3 dB on a page of print.
 const FILTER: u8 = 10;
@@ -78,16 +79,7 @@ impl Film for Webp {
     fn show(&mut self, shot: &Shot) -> Result<(), AnimError> {
         let rgba = shot.pixels.chunks_exact(3).flat_map(|p| [p[0], p[1], p[2], 255]).collect();
         let picture = ImageBuffer { width: shot.rect.width, height: shot.rect.height, rgba };
-        let config = LossyEncodingConfig {
-            quality: QUALITY,
-            method: METHOD,
-            filter_strength: FILTER,
-            sns_strength: 0,
-            segments: 1,
-            ..Default::default()
-        };
-        let file =
-            webp_rust::encode_lossy_with_config(&picture, &config, None).map_err(|e| failed(&e))?;
+        let file = encoded(&picture)?;
         let chunk =
             picture_chunk(&file).ok_or_else(|| failed(&"no picture in the encoder's answer"))?;
         said(self.add(shot, chunk))
@@ -100,6 +92,26 @@ impl Film for Webp {
     fn close(&mut self) -> Result<(), AnimError> {
         said(self.end())
     }
+}
+
+/// The picture as a still WebP, at the first quality the encoder manages.
+fn encoded(picture: &ImageBuffer) -> Result<Vec<u8>, AnimError> {
+    let mut why = failed(&"no quality was tried");
+    for quality in QUALITIES {
+        let config = LossyEncodingConfig {
+            quality,
+            method: METHOD,
+            filter_strength: FILTER,
+            sns_strength: 0,
+            segments: 1,
+            ..Default::default()
+        };
+        match webp_rust::encode_lossy_with_config(picture, &config, None) {
+            Ok(file) => return Ok(file),
+            Err(e) => why = failed(&e),
+        }
+    }
+    Err(why)
 }
 
 fn said<T>(result: io::Result<T>) -> Result<T, AnimError> {
