@@ -13,7 +13,7 @@ use dogleaf_core::record::{
     Divergence, Header, MADE_BY, Reader, Record, RecordError, Recorder, Setup, SliceSink, Tier,
     Verdict, replay, replay_with,
 };
-use dogleaf_core::scene::{Cover, Direction, Fidelity, Formulation, Weights};
+use dogleaf_core::scene::{Cover, Direction, Fidelity, Formulation, Handling, Pages, Weights};
 use recorded::{finite, open, play, record, recorder, setup, turn};
 
 /// Steps until a turn of a second has come to rest.
@@ -107,6 +107,7 @@ fn unlike_the_default() -> Setup {
     s.view.fov_y_deg = 41.5;
     s.fidelity = Fidelity::Fine;
     s.formulation = Formulation::Seed;
+    s.handling = Handling { grip: 7.25, pages: Pages::Single };
     s
 }
 

@@ -5,7 +5,7 @@ use dogleaf_core::grid::{G6x5, G11x8, G16x12, Grid};
 use dogleaf_core::hand::pick::pick;
 use dogleaf_core::hand::tent::Tent;
 use dogleaf_core::hand::view::Ray;
-use dogleaf_core::hand::{Camera, Guide, Reach, View};
+use dogleaf_core::hand::{Camera, Guide, Phase, Place, Reach, Sample, View};
 use dogleaf_core::real::V3;
 use dogleaf_core::scene::{PaperSpec, SpecError, Units};
 use dogleaf_core::state::{Field, Leaf};
@@ -26,12 +26,13 @@ fn tent(random: &mut Pcg) -> Tent<f64> {
         radius,
         floor: [floor(random), floor(random)],
         ends: [random.within(0.5, 16.0), random.within(0.5, 16.0)],
+        lain: V3([0.0; 3]),
     }
 }
 
 /// Evenly over the tent and beyond its feet.
 fn places(tent: &Tent<f64>) -> impl Iterator<Item = f64> + use<> {
-    let reach = tent.reach();
+    let reach = tent.reach(1.0);
     (0..=PLACES).map(move |n| 1.2 * reach * (2.0 * n as f64 / PLACES as f64 - 1.0))
 }
 
@@ -53,8 +54,8 @@ fn drawn(tent: &Tent<f64>, x: f64, dz: f64) -> [f64; 2] {
 #[test]
 fn a_target_lies_within_the_rope_to_both_ends_of_the_spine() {
     over_all_tents(|tent| {
-        for x in places(tent).filter(|x| x.abs() <= tent.reach()) {
-            let [tail, head] = tent.sideways(x);
+        for x in places(tent).filter(|x| x.abs() <= tent.reach(*x)) {
+            let [tail, head] = tent.sideways(x, tent.height(x));
             for dz in [0.0, tail, -head, 0.5 * tail, -0.5 * head] {
                 let [to_tail, to_head] = drawn(tent, x, dz);
                 assert!(to_tail <= 1.0 && to_head <= 1.0, "{tent:?} at {x}, {dz}");
@@ -67,8 +68,14 @@ fn a_target_lies_within_the_rope_to_both_ends_of_the_spine() {
 #[test]
 fn a_target_on_a_thick_block_lies_within_the_rope_too() {
     for thickness in [0.3, 0.4, 0.7, 1.0, 3.0] {
-        let tent = Tent { root: 0.0, radius: 3.6, floor: [3.6 * thickness; 2], ends: [8.0; 2] };
-        for x in places(&tent).filter(|x| x.abs() <= tent.reach()) {
+        let tent = Tent {
+            root: 0.0,
+            radius: 3.6,
+            floor: [3.6 * thickness; 2],
+            ends: [8.0; 2],
+            lain: V3([0.0; 3]),
+        };
+        for x in places(&tent).filter(|x| x.abs() <= tent.reach(*x)) {
             let [to_tail, to_head] = drawn(&tent, x, 0.0);
             assert!(to_tail <= 1.0 && to_head <= 1.0, "{tent:?} at {x}: {to_tail}");
         }
@@ -79,7 +86,7 @@ fn a_target_on_a_thick_block_lies_within_the_rope_too() {
 fn a_target_beyond_the_rope_is_caught() {
     let mut random = Pcg::new(71);
     let tent = tent(&mut random);
-    let [tail, _] = tent.sideways(0.0);
+    let [tail, _] = tent.sideways(0.0, tent.height(0.0));
     let far = drawn(&tent, 0.0, tail + tent.radius);
     assert!(far.iter().any(|share| *share > 1.0));
 }
@@ -88,7 +95,7 @@ fn a_target_beyond_the_rope_is_caught() {
 fn a_target_may_stray_along_the_binding_where_the_sheet_is_slack() {
     over_all_tents(|tent| {
         let square = Tent { ends: [tent.radius, 0.5 * tent.radius], ..*tent };
-        let [tail, head] = square.sideways(0.0);
+        let [tail, head] = square.sideways(0.0, square.height(0.0));
         assert!(tail > 0.0 && head > 0.0, "{tent:?}");
         assert!(tail < tent.radius && head < tent.radius, "{tent:?}");
     });
@@ -97,13 +104,14 @@ fn a_target_may_stray_along_the_binding_where_the_sheet_is_slack() {
 #[test]
 fn the_tent_is_continuous() {
     over_all_tents(|tent| {
-        let step = 1e-3 * tent.reach();
+        let step = 1e-3 * tent.reach(1.0);
         let steps: Vec<f64> = (-1200..1200).map(|n| f64::from(n) * step).collect();
         // A root may be steep, but it grows no faster than the root of what is under it.
         let steep = (8.0 * tent.radius * step).sqrt();
         for w in steps.windows(2) {
             let rise = (tent.height(w[1]) - tent.height(w[0])).abs();
-            let stray = |n: usize| (tent.sideways(w[1])[n] - tent.sideways(w[0])[n]).abs();
+            let at = |x: f64| tent.sideways(x, tent.height(x));
+            let stray = |n: usize| (at(w[1])[n] - at(w[0])[n]).abs();
             assert!(rise < 1.5 * step, "{tent:?} at {}", w[0]);
             assert!(stray(0).max(stray(1)) < steep, "{tent:?} at {}", w[0]);
         }
@@ -113,7 +121,7 @@ fn the_tent_is_continuous() {
 #[test]
 fn the_tent_rises_from_the_blocks_to_its_peak_over_the_binding() {
     over_all_tents(|tent| {
-        let reach = tent.reach();
+        let reach = tent.reach(1.0);
         let close = |a: f64, b: f64| (a - b).abs() < 1e-9;
         assert!(close(tent.height(-reach), tent.floor[0]), "{tent:?}");
         assert!(close(tent.height(reach), tent.floor[1]), "{tent:?}");
@@ -130,8 +138,8 @@ fn a_tent_and_its_mirror_image_are_the_same_to_the_last_bit() {
         turned.ends.reverse();
         for x in places(tent).filter(|x| *x != 0.0) {
             assert_eq!(tent.height(x).to_bits(), mirror.height(-x).to_bits());
-            let [tail, head] = tent.sideways(x);
-            assert_eq!(turned.sideways(x), [head, tail]);
+            let [tail, head] = tent.sideways(x, tent.height(x));
+            assert_eq!(turned.sideways(x, turned.height(x)), [head, tail]);
         }
     });
 }
@@ -142,15 +150,18 @@ fn camera() -> Camera<f64> {
 
 /// Where a guide wants its node after a drag to a place of the screen.
 fn wanted(tent: &Tent<f64>, node_z: f64, x: i32, y: i32) -> V3<f64> {
-    let reach = Reach { tent: *tent, camera: camera() };
     let origin = V3([tent.root + 0.9 * tent.radius, tent.floor[1], node_z]);
+    let tent = Tent { lain: origin, ..*tent };
+    let reach = Reach { tent, camera: camera(), aside: V3([0.0; 3]) };
     let seen = camera().project(origin).expect("in front of the eye");
     let [px, py] = seen.map(|p| (p * 256.0) as i32);
-    let mut guide = Guide::take(0, (9, 1), origin, &camera().ray(px, py), &reach, 0);
-    let _ = guide.drag(&camera().ray(x, y), &reach, 8000);
+    let finger = |phase, x, y| Sample { t_us: 8000, id: 0, phase, x, y, leaves: 0 };
+    let place = Place::at((9, 1));
+    let mut guide = Guide::take(&finger(Phase::Down, px, py), (9, 1), place, origin, &reach);
+    let _ = guide.drag(&finger(Phase::Move, x, y), &reach);
     let mut at = origin;
     // The leash lets it come two units nearer each time.
-    (0..100).for_each(|_| at = guide.advance(at, &reach, 0.0, 0.01).0);
+    (0..100).for_each(|_| at = guide.advance(at, &reach, 0.0, 0.01, 0.0).target);
     at
 }
 
@@ -170,10 +181,11 @@ fn wherever_the_finger_goes_the_target_stays_within_the_rope() {
 
 #[test]
 fn a_target_follows_the_finger_across() {
-    let tent = Tent { root: 0.0, radius: 10.0, floor: [0.5; 2], ends: [8.0; 2] };
+    let tent =
+        Tent { root: 0.0, radius: 10.0, floor: [0.5; 2], ends: [8.0; 2], lain: V3([0.0; 3]) };
     let across: Vec<f64> =
         (1..8).map(|n| wanted(&tent, 0.0, n * 120 * 256, 400 * 256).0[0]).collect();
-    assert!(across.windows(2).all(|w| w[0] < w[1] || w[1].abs() == tent.reach()), "{across:?}");
+    assert!(across.windows(2).all(|w| w[0] < w[1] || w[1].abs() == tent.reach(w[1])), "{across:?}");
 }
 
 fn posed<G: Grid>(random: &mut Pcg) -> Leaf<f64, G> {

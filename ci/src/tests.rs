@@ -16,42 +16,66 @@ pub(crate) fn test(args: &[String]) -> Result {
     let mut tally = Tally::default();
     let mut failures = Vec::new();
     for &release in profiles {
-        let (result, counts) = run_counting(&mut command(release, rest));
-        tally += counts;
-        failures.extend(result.err());
+        for mut call in calls(release, rest) {
+            let (result, counts) = run_counting(&mut call);
+            tally += counts;
+            failures.extend(result.err());
+        }
     }
     if failures.is_empty() { Ok(tally) } else { Err(Stop::Failed(failures.join("; "), tally)) }
 }
 
+/// The package whose golden table counts the instructions of a release, linked as a release is.
+const COUNTED: &str = "dogleaf-cost";
+/// What all other tests run in: a release's speed without minutes of linking.
+const SWIFT: [&str; 2] = ["--profile", "swift"];
+
 /// Everything, unless the caller names packages: then only those.
-fn command(release: bool, rest: &[String]) -> Command {
-    let mut c = cargo(["test", "--no-fail-fast"]);
+fn calls(release: bool, rest: &[String]) -> Vec<Command> {
     let named = |a: &&String| {
         a.starts_with("-p") || a.starts_with("--package") || a.starts_with("--manifest-path")
     };
-    if rest.iter().take_while(|a| *a != "--").find(named).is_none() {
-        c.arg("--workspace");
+    let named = rest.iter().take_while(|a| *a != "--").find(named).is_some();
+    let call = |args: &[&str]| {
+        let mut c = cargo(["test", "--no-fail-fast"]);
+        c.args(args).args(rest);
+        c
+    };
+    match (release, named) {
+        (false, false) => vec![call(&["--workspace"])],
+        (false, true) => vec![call(&[])],
+        (true, true) => vec![call(&["--release"])],
+        (true, false) => vec![
+            call(&[SWIFT[0], SWIFT[1], "--workspace", "--exclude", COUNTED]),
+            call(&["--release", "-p", COUNTED]),
+        ],
     }
-    if release {
-        c.arg("--release");
-    }
-    c.args(rest);
-    c
 }
 
-/// `cargo ci golden [--bless]`: the tables under `fixtures/golden`, in release.
-///
-/// The whole workspace is named so that cargo builds the same features as `test --release` did.
+/// `cargo ci golden [--bless]`: the tables under `fixtures/golden`, built as `test --release` builds them.
 pub(crate) fn golden(args: &[String]) -> Result {
     let bless = flag(args, "--bless")?;
-    let mut c =
-        cargo(["test", "--workspace", "--release", "--test", "golden", "--test", "self_test"]);
+    let mut c = cargo(["test"]);
+    c.args(SWIFT).args([
+        "--workspace",
+        "--exclude",
+        COUNTED,
+        "--test",
+        "golden",
+        "--test",
+        "self_test",
+    ]);
     // The tables that take minutes have been compared by `test --release`; they are blessed with the others.
     if bless {
         c.args(["--test", "hard_cases", "--test", "soak"]);
         c.env("DOGLEAF_BLESS", "1");
     }
     run(&mut c)?;
+    let mut counted = cargo(["test", "--release", "-p", COUNTED, "--test", "golden"]);
+    if bless {
+        counted.env("DOGLEAF_BLESS", "1");
+    }
+    run(&mut counted)?;
     if bless {
         println!("Blessed. Look at the difference, and say in CHANGELOG.md why the figures moved.");
     }
@@ -63,7 +87,7 @@ pub(crate) fn cost(args: &[String]) -> Result {
     crate::words::no_args(args)?;
     // Without it instructions are not compared; errors are.
     let _ = succeeds(&mut command_of("valgrind")) || apt_install(&["valgrind"]);
-    let (result, tally) = run_counting(&mut command(true, &["-p".into(), "dogleaf-cost".into()]));
+    let (result, tally) = run_counting(&mut cargo(["test", "--release", "-p", COUNTED]));
     result.map_err(|why| Stop::Failed(why, tally))?;
     let mut c = cargo(["run", "--release", "-p", "dogleaf", "--", "cost", "--quick", "--out"]);
     run(c.arg(crate::shell::target_dir().join("cost")))?;
@@ -76,19 +100,25 @@ fn command_of(program: &str) -> Command {
 
 #[cfg(test)]
 mod check {
-    use super::command;
+    use super::calls;
 
     fn shown(release: bool, rest: &[&str]) -> String {
         let rest: Vec<String> = rest.iter().map(ToString::to_string).collect();
-        let args: Vec<String> =
-            command(release, &rest).get_args().map(|a| a.display().to_string()).collect();
-        args.join(" ")
+        let line = |c: &std::process::Command| {
+            let args: Vec<String> = c.get_args().map(|a| a.display().to_string()).collect();
+            args.join(" ")
+        };
+        calls(release, &rest).iter().map(line).collect::<Vec<_>>().join(", ")
     }
 
     #[test]
     fn the_workspace_unless_packages_are_named() {
         assert_eq!(shown(false, &[]), "test --no-fail-fast --workspace");
-        assert_eq!(shown(true, &["kkt"]), "test --no-fail-fast --workspace --release kkt");
+        let both = "test --no-fail-fast --profile swift --workspace --exclude dogleaf-cost kkt, \
+                    test --no-fail-fast --release -p dogleaf-cost kkt";
+        assert_eq!(shown(true, &["kkt"]), both);
+        let one = "test --no-fail-fast --release -p dogleaf-core";
+        assert_eq!(shown(true, &["-p", "dogleaf-core"]), one);
         assert_eq!(shown(false, &["-p", "dogleaf-core"]), "test --no-fail-fast -p dogleaf-core");
         assert_eq!(shown(false, &["--", "-p"]), "test --no-fail-fast --workspace -- -p");
     }

@@ -19,5 +19,7 @@ pub mod selftest;
 pub mod seed;
 pub mod mesh;
 pub mod record;
+pub mod reading;
 
 pub use book::{Book, LoneLeaf};
+pub use reading::Reading;

@@ -58,7 +58,7 @@ impl<R: Real, G: Grid> Posed<R, G> {
         posed.ask.gravity = V3([R::of(3.0), R::of(-98.1), R::of(1.0)]);
         let node = (G::NX - 2, 1);
         let target = posed.leaf.x.at(node.0, node.1) + near(random, 1.0);
-        posed.ask.grab = Some(Grab { node, target });
+        posed.ask.grab = Some(Grab { node, target, firm: R::of(1.0) });
         posed
     }
 

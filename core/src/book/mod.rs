@@ -4,6 +4,7 @@
 //! settled on a block. Nothing here allocates, and nothing big is ever returned: the caller places a
 //! [`Book::EMPTY`] and opens it.
 
+mod beside;
 mod binding;
 #[cfg(feature = "faults")]
 mod fault;
@@ -15,6 +16,7 @@ mod settle;
 mod step;
 mod touch;
 
+use beside::Beside;
 pub use binding::Binding;
 #[cfg(feature = "faults")]
 pub use fault::Fault;
@@ -27,7 +29,7 @@ use crate::event::{Event, Events};
 use crate::grid::Grid;
 use crate::hand::{Camera, Guide, Sample};
 use crate::real::{Real, V3};
-use crate::scene::{BookSpec, PaperSpec, Settings, Units};
+use crate::scene::{BookSpec, Handling, PaperSpec, Settings, Units};
 use crate::state::strip::{BLOCK, BOARD, Fibre, Strip};
 use crate::state::{Field, Fnv, Grab, Leaf, Sheet, Stretch};
 use crate::step::{Solver, StepReport};
@@ -62,7 +64,12 @@ pub struct Book<R: Real, G: Grid> {
     sheet: Sheet<R, G>,
     leaf: Leaf<R, G>,
     active: bool,
+    handling: Handling,
     guide: Option<Guide<R>>,
+    /// A second finger beside the one that holds the leaf.
+    beside: Option<Beside>,
+    /// A press that has not said yet which leaf it means.
+    undecided: Option<Sample>,
     grab: Option<Grab<R>>,
     samples: heapless::Deque<Sample, SAMPLES>,
     events: Events,
@@ -124,6 +131,15 @@ impl<R: Real, G: Grid> Book<R, G> {
     pub fn held(&self) -> Option<Grab<R>> {
         self.grab
     }
+    /// Where the reader looks from. Model units.
+    pub fn camera(&self) -> &Camera<R> {
+        &self.camera
+    }
+    /// The paper a finger holds, and whether it is held where the finger asks: not beyond the sheet's reach.
+    pub fn touched(&self) -> Option<(V3<R>, bool)> {
+        let guide = self.guide.as_ref().filter(|g| g.dragging())?;
+        Some((guide.place().on(&self.leaf), !guide.beyond()))
+    }
     /// What the leaf is made of.
     pub fn sheet(&self) -> &Sheet<R, G> {
         &self.sheet
@@ -175,6 +191,14 @@ impl<R: Real, G: Grid> Book<R, G> {
         hash.real(self.press);
         if let Some(guide) = &self.guide {
             guide.digest(&mut hash);
+        }
+        if let Some(beside) = &self.beside {
+            hash.word(1 + beside.digest());
+        }
+        if let Some(press) = &self.undecided {
+            hash.word(1 + (u64::from(press.id) << 32));
+            hash.word(press.x as u64);
+            hash.word(press.y as u64);
         }
         for strip in &self.blocks {
             for v in strip.x.iter().chain(&strip.v) {

@@ -7,7 +7,7 @@ use crate::hand::{Camera, Phase, Sample, View};
 use crate::real::{Real, V3};
 use crate::scene::units::WIDTH;
 use crate::scene::{
-    BookSpec, Cover, Direction, Fidelity, PaperSpec, Settings, SpecError, Units, WorldSpec,
+    BookSpec, Direction, Fidelity, Handling, PaperSpec, Settings, SpecError, Units, WorldSpec,
 };
 use crate::state::strip::{BLOCK, Fibre, Strip};
 use crate::state::{Field, Leaf, Sheet};
@@ -61,21 +61,8 @@ impl core::error::Error for InputError {}
 impl<R: Real, G: Grid> Book<R, G> {
     /// A book that was never opened: for the caller to place. It sleeps.
     pub const EMPTY: Self = Self {
-        spec: BookSpec {
-            width_m: 0.13,
-            height_m: 0.20,
-            pages: 1,
-            open_at: 0,
-            cover: Cover::Hard,
-            direction: Direction::Ltr,
-        },
-        paper: PaperSpec {
-            areal_mass_gsm: 80.0,
-            thickness_mm: 0.1,
-            youngs_gpa: 4.0,
-            poisson: 0.2,
-            weights: None,
-        },
+        spec: BookSpec::ONE_LEAF,
+        paper: PaperSpec::OFFICE,
         units: Units { metres: 1.0, kilograms: 1.0 },
         settings: Settings::STANDARD,
         damping_per_s: 0.0,
@@ -101,7 +88,10 @@ impl<R: Real, G: Grid> Book<R, G> {
         sheet: Sheet::ZERO,
         leaf: Leaf::ZERO,
         active: false,
+        handling: Handling::SPRING,
         guide: None,
+        beside: None,
+        undecided: None,
         grab: None,
         samples: heapless::Deque::new(),
         events: Events::EMPTY,
@@ -142,6 +132,7 @@ impl<R: Real, G: Grid> Book<R, G> {
         self.spec = *spec;
         self.paper = *paper;
         self.most_press = R::of(if paper.weights.is_some() { 0.0 } else { PRESS });
+        self.handling = Handling::default();
         self.units = Units::of_leaf(spec.width_m, spec.height_m, paper.areal_mass_gsm);
         self.set_world(world);
         self.camera = view.camera(&self.units);
@@ -165,6 +156,17 @@ impl<R: Real, G: Grid> Book<R, G> {
     pub fn look(&mut self, view: &View) -> Result<(), SpecError> {
         view.check()?;
         self.camera = view.camera(&self.units);
+        Ok(())
+    }
+
+    /// Says how a finger and a page meet; [`Book::open`] says [`Handling::default`].
+    ///
+    /// # Errors
+    ///
+    /// A hand that cannot be; then the old one is kept.
+    pub fn handle(&mut self, handling: Handling) -> Result<(), SpecError> {
+        handling.check()?;
+        self.handling = handling;
         Ok(())
     }
 
@@ -253,8 +255,7 @@ impl<R: Real, G: Grid> Book<R, G> {
             board.lay(half, R::of(WIDTH + SQUARE));
         }
         self.active = false;
-        self.guide = None;
-        self.grab = None;
+        self.free_hand();
         self.samples.clear();
         self.events = Events::EMPTY;
         self.owed_us = 0;

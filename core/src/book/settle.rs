@@ -166,8 +166,7 @@ impl<R: Real, G: Grid> Book<R, G> {
         self.binding.leaves[usize::from(onto_right)] += held;
         self.binding.held = 0;
         self.active = false;
-        self.guide = None;
-        self.grab = None;
+        self.free_hand();
         if onto_right == self.binding.from_right {
             self.note(Event::Cancelled);
             return;

@@ -4,10 +4,12 @@ use super::Book;
 use crate::collision::leaf::resolve;
 use crate::event::Event;
 use crate::grid::Grid;
+use crate::hand::pick::{level_with, pick};
 use crate::hand::tent::Tent;
 use crate::hand::view::Ray;
-use crate::hand::{Guide, Phase, Reach, Sample, pick::pick};
+use crate::hand::{Guide, Phase, Place, Pull, Reach, Sample};
 use crate::real::{Real, V2, V3};
+use crate::scene::{Direction, Pages};
 use crate::state::Grab;
 use crate::step::StepReport;
 
@@ -15,6 +17,8 @@ use crate::step::StepReport;
 const CATCH: f64 = 2.5;
 /// A press this far beyond a page's edge, as a share of its size, still means the page.
 const MARGIN: f64 = 1.1;
+/// Way of a finger that says which leaf it means, as a share of half the picture's height.
+const SLOP: f64 = 1.0 / 60.0;
 /// How far a leaf just taken up is moved off its block to find what touches it, model units.
 const SKIN: f64 = 1e-3;
 /// A leaf whose free edge is lower than this above its block has as good as landed.
@@ -22,22 +26,33 @@ const LANDED: f64 = 2.0;
 
 impl<R: Real, G: Grid> Book<R, G> {
     pub(super) fn touch(&mut self, sample: &Sample, report: &mut StepReport) {
-        let own = self.guide.is_some_and(|g| g.id == sample.id && g.dragging());
-        let taken = match sample.phase {
-            Phase::Down => !own && self.press(sample),
-            Phase::Move => own && self.drag(sample, report),
-            Phase::Up => own && self.release(sample, report),
-            Phase::Cancel => own && self.cancel(),
-        };
-        if !taken {
+        if !self.taken(sample, report) {
             report.refused += 1;
         }
     }
 
-    /// Takes up the leaf in the air, or the top leaf of the block under the pointer.
+    fn taken(&mut self, sample: &Sample, report: &mut StepReport) -> bool {
+        if self.guide.is_some_and(|g| g.id == sample.id && g.dragging()) {
+            return match sample.phase {
+                Phase::Down => false,
+                Phase::Move => self.drag(sample, report),
+                Phase::Up => self.release(sample, report),
+                Phase::Cancel => self.cancel(),
+            };
+        }
+        if let Some(press) = self.undecided.filter(|p| p.id == sample.id) {
+            return self.decide(&press, sample, report);
+        }
+        if let Some(taken) = self.swipe(sample) {
+            return taken;
+        }
+        sample.phase == Phase::Down && self.press(sample)
+    }
+
+    /// A finger comes down: it holds a leaf, or comes beside the one that does.
     fn press(&mut self, sample: &Sample) -> bool {
         if self.guide.is_some_and(|g| g.dragging()) {
-            return false;
+            return self.come_beside(sample);
         }
         let ray = self.camera.ray(sample.x, sample.y);
         if self.active && !self.catches(&ray) {
@@ -46,16 +61,67 @@ impl<R: Real, G: Grid> Book<R, G> {
             }
             self.merge();
         }
+        if !self.active && self.handling.pages == Pages::Single {
+            self.undecided = Some(*sample);
+            return true;
+        }
+        self.hold_on(sample)
+    }
+
+    /// Where one page is seen, the way of the finger says which leaf it means: the one it lies on, or the one
+    /// before it.
+    fn decide(&mut self, press: &Sample, sample: &Sample, report: &mut StepReport) -> bool {
+        if sample.phase != Phase::Move {
+            self.undecided = None;
+            return sample.phase != Phase::Down;
+        }
+        let way = (f64::from(sample.x) - f64::from(press.x)) * (1.0 / 256.0);
+        if way.abs() < SLOP * self.camera.centre[1].wide() {
+            return true;
+        }
+        self.undecided = None;
+        let ltr = self.spec.direction == Direction::Ltr;
+        let taken = if (way < 0.0) == ltr { self.hold_on(press) } else { self.pull_back(press) };
+        taken && self.drag(sample, report)
+    }
+
+    /// Holds the leaf in the air, or the top leaf of the block under the pointer.
+    fn hold_on(&mut self, sample: &Sample) -> bool {
+        let ray = self.camera.ray(sample.x, sample.y);
         if !self.active && !self.lift(&ray, u32::from(sample.leaves.max(1))) {
             return false;
         }
         let (node, _) = pick(&self.leaf, &ray);
-        let reach = self.reach(node);
-        let at = self.leaf.x.at(node.0, node.1);
-        self.guide = Some(Guide::take(sample.id, node, at, &ray, &reach, sample.t_us));
-        self.grab = Some(Grab { node, target: at });
-        self.wake();
+        self.take_node(sample, node, Place::under(&self.leaf, &ray));
         true
+    }
+
+    /// Takes the last leaf that was read by its fore-edge: it comes to the finger.
+    fn pull_back(&mut self, sample: &Sample) -> bool {
+        let ray = self.camera.ray(sample.x, sample.y);
+        let from_right = self.spec.direction == Direction::Rtl;
+        if !self.take_up(from_right, u32::from(sample.leaves.max(1))) {
+            return false;
+        }
+        let node = level_with(&self.leaf, &ray);
+        self.take_node(sample, node, Place::at(node));
+        true
+    }
+
+    fn take_node(&mut self, sample: &Sample, node: (usize, usize), place: Place<R>) {
+        let at = self.leaf.x.at(node.0, node.1);
+        let reach = self.reach(node, at, &place);
+        self.guide = Some(Guide::take(sample, node, place, at, &reach));
+        self.grab = Some(Grab { node, target: at, firm: R::of(1.0) });
+        self.wake();
+    }
+
+    /// Nobody holds anything.
+    pub(super) fn free_hand(&mut self) {
+        self.guide = None;
+        self.grab = None;
+        self.beside = None;
+        self.undecided = None;
     }
 
     fn catches(&self, ray: &Ray<R>) -> bool {
@@ -111,7 +177,7 @@ impl<R: Real, G: Grid> Book<R, G> {
     }
 
     /// Lets the leaf round the gutter's edges, as far as the thicker block asks.
-    fn soften(&mut self) {
+    pub(super) fn soften(&mut self) {
         let [left, right] = self.binding.thickness();
         let arc = left.larger(right) * R::of(core::f64::consts::FRAC_PI_2);
         self.sheet.soften(arc, &self.paper, &self.units);
@@ -152,7 +218,12 @@ impl<R: Real, G: Grid> Book<R, G> {
         let _ = self.measure();
     }
 
-    pub(super) fn reach(&self, (column, row): (usize, usize)) -> Reach<R> {
+    fn reach_of(&self, guide: &Guide<R>) -> Reach<R> {
+        self.reach(guide.node, guide.origin(), guide.place())
+    }
+
+    /// What bounds the targets of a node that lay at `lain`, so that `place` stays under the finger.
+    fn reach(&self, (column, row): (usize, usize), lain: V3<R>, place: &Place<R>) -> Reach<R> {
         let half = self.binding.half_held();
         let along = |rows: usize| self.sheet.spacing[1] * R::of(rows as f64);
         let tent = Tent {
@@ -160,15 +231,16 @@ impl<R: Real, G: Grid> Book<R, G> {
             radius: self.sheet.spacing[0] * R::of(column as f64),
             floor: self.binding.thickness().map(|t| t + half),
             ends: [along(row), along(G::NZ - 1 - row)],
+            lain,
         };
-        Reach { tent, camera: self.camera }
+        let aside = self.leaf.x.at(column, row) - place.on(&self.leaf);
+        Reach { tent, camera: self.camera, aside }
     }
 
     fn drag(&mut self, sample: &Sample, report: &mut StepReport) -> bool {
         let Some(mut guide) = self.guide else { return false };
-        let reach = self.reach(guide.node);
-        let ray = self.camera.ray(sample.x, sample.y);
-        report.clamped += u32::from(guide.drag(&ray, &reach, sample.t_us));
+        let reach = self.reach_of(&guide);
+        report.clamped += u32::from(guide.drag(sample, &reach));
         self.guide = Some(guide);
         self.wake();
         true
@@ -176,22 +248,20 @@ impl<R: Real, G: Grid> Book<R, G> {
 
     fn release(&mut self, sample: &Sample, report: &mut StepReport) -> bool {
         let Some(mut guide) = self.guide else { return false };
-        let reach = self.reach(guide.node);
-        let ray = self.camera.ray(sample.x, sample.y);
-        report.clamped += u32::from(guide.drag(&ray, &reach, sample.t_us));
+        let reach = self.reach_of(&guide);
+        report.clamped += u32::from(guide.drag(sample, &reach));
         let follows = guide.release(&reach, sample.t_us);
+        let grab = self.grab.filter(|_| follows);
+        self.free_hand();
         self.guide = follows.then_some(guide);
-        if !follows {
-            self.grab = None;
-        }
+        self.grab = grab;
         self.wake();
         true
     }
 
     /// The system took the pointer: the leaf is let go where it is, and falls.
     fn cancel(&mut self) -> bool {
-        self.guide = None;
-        self.grab = None;
+        self.free_hand();
         self.wake();
         true
     }
@@ -203,11 +273,13 @@ impl<R: Real, G: Grid> Book<R, G> {
             self.grab = None;
             return;
         }
-        let reach = self.reach(guide.node);
+        let reach = self.reach_of(&guide);
         let node = self.leaf.x.at(guide.node.0, guide.node.1);
-        let (target, leashed, holds) = guide.advance(node, &reach, self.strain, self.h);
-        report.clamped += u32::from(leashed);
-        self.grab = holds.then_some(Grab { node: guide.node, target });
+        let grip = R::of(self.handling.grip);
+        let pull = guide.advance(node, &reach, self.strain, self.h, grip);
+        report.clamped += u32::from(pull.leashed);
+        let Pull { target, firm, holds, .. } = pull;
+        self.grab = holds.then_some(Grab { node: guide.node, target, firm });
         self.guide = holds.then_some(guide);
     }
 }

@@ -11,6 +11,11 @@ pub enum Event {
         /// How many.
         leaves: u32,
     },
+    /// A second finger added a leaf to those in the air, or gave one back.
+    Held {
+        /// How many are held now.
+        leaves: u32,
+    },
     /// The leaf came to rest on the other side: the book is now open at `page`.
     Committed {
         /// As [`BookSpec::open_at`](crate::scene::BookSpec::open_at).

@@ -5,7 +5,9 @@
 //! peak the leaf is let go beyond, else it is let go at once. So a flick turns a page, a twitch does
 //! not, a reverse flick takes it back, and no clock decides.
 
-use super::tent::Tent;
+use super::place::Place;
+use super::sample::Sample;
+use super::tent::{Aim, Tent};
 use super::view::{Camera, Ray};
 use crate::real::{Real, V3};
 use crate::state::Fnv;
@@ -15,6 +17,8 @@ const LEASH: f64 = 3.0;
 /// From this strain on a hand that tugs is followed less, and at that one hardly at all.
 const STRAINED: f64 = 0.03;
 const TORN: f64 = 0.12;
+/// Part of the leash within which a firm hand is a spring.
+const CLOSE: f64 = 10.0;
 /// What is then left of the leash.
 const LEAST_LEASH: f64 = 0.1;
 /// Pull down the tent while following through, units/s²: a flick of 0.3 m/s turns a page of 130 mm.
@@ -25,6 +29,10 @@ const LEAST_SPEED: f64 = 6.0;
 const LEAST_WAY: f64 = 0.05;
 /// How far past the peak the leaf is let go, as a share of the reach.
 const BEYOND: f64 = 0.25;
+/// Way of the finger over which the node comes from where it lay to the tent, as a share of its distance.
+const FADE: f64 = 0.15;
+/// The same for a node that has to come from far, as a share of that way.
+const FAR: f64 = 0.6;
 /// Longest a hand follows through, seconds: a leaf that cannot be moved is let go.
 const LONGEST: f64 = 1.0;
 /// Finger speed is measured over at least this long, microseconds.
@@ -53,12 +61,18 @@ pub struct Guide<R> {
     pub id: u8,
     /// Column and row held.
     pub node: (usize, usize),
-    /// Where the node was when it was taken.
+    /// The paper under the finger when it came down.
+    place: Place<R>,
+    /// Where the node was then.
     origin: V3<R>,
-    /// From where the ray met the drag plane to the node.
+    /// From the tent to the node then, along the finger's ray.
     lag: V3<R>,
-    /// Wanted place, before the leash.
+    /// The finger now, 1/256 pixel.
+    finger: [i32; 2],
+    /// Wanted place of the node, before the leash.
     wanted: V3<R>,
+    /// The finger asks for more than the sheet can follow.
+    beyond: bool,
     /// Where the finger was lately, newest last.
     marks: [Mark<R>; 4],
     motion: Motion<R>,
@@ -66,50 +80,95 @@ pub struct Guide<R> {
     followed: R,
 }
 
+/// What a hand does in one step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pull<R> {
+    /// Where it wants the node.
+    pub target: V3<R>,
+    /// The leash held it back.
+    pub leashed: bool,
+    /// How firmly it pulls, in weights of the sheet's own: with a grip as hard from anywhere on the leash, so that
+    /// what rests under a finger stays there.
+    pub firm: R,
+    /// It still holds.
+    pub holds: bool,
+}
+
 /// What bounds a target.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reach<R> {
     /// The tent over the book.
     pub tent: Tent<R>,
-    /// The camera, whose forward direction is the normal of the drag plane.
+    /// The camera the finger's rays come from.
     pub camera: Camera<R>,
+    /// From the paper that was touched to the node, now.
+    pub aside: V3<R>,
+}
+
+impl<R: Real> Reach<R> {
+    /// Where the node has to be for the paper that was touched to be under the finger.
+    fn aim(&self, finger: [i32; 2]) -> Aim<R> {
+        let [x, y] = finger;
+        let ray = self.camera.ray(x, y);
+        self.tent.aim(&Ray { from: ray.from + self.aside, ..ray })
+    }
 }
 
 impl<R: Real> Guide<R> {
-    /// Takes a node at `origin`.
+    /// Takes a node at `origin` by a finger on `place`.
     pub fn take(
-        id: u8,
+        sample: &Sample,
         node: (usize, usize),
+        place: Place<R>,
         origin: V3<R>,
-        ray: &Ray<R>,
         reach: &Reach<R>,
-        t_us: u64,
     ) -> Self {
-        let met = ray.meet(origin, reach.camera.forward).unwrap_or(origin);
-        let mark = Mark { t_us, x: origin.0[0] - reach.tent.root };
+        let mark = Mark { t_us: sample.t_us, x: origin.0[0] - reach.tent.root };
+        let finger = [sample.x, sample.y];
         Self {
-            id,
+            id: sample.id,
             node,
+            place,
             origin,
-            lag: origin - met,
+            lag: origin - reach.aim(finger).at,
+            finger,
             wanted: origin,
+            beyond: false,
             marks: [mark; 4],
             motion: Motion::Dragging,
             followed: R::ZERO,
         }
     }
 
+    /// The paper that was touched.
+    pub fn place(&self) -> &Place<R> {
+        &self.place
+    }
+    /// Where the node was when it was taken.
+    pub fn origin(&self) -> V3<R> {
+        self.origin
+    }
+    /// The finger asks for more than the sheet can follow: the paper it touched is not under it.
+    pub fn beyond(&self) -> bool {
+        self.beyond
+    }
+
     /// The finger moved. Answers whether the place it asks for had to be clamped.
-    pub fn drag(&mut self, ray: &Ray<R>, reach: &Reach<R>, t_us: u64) -> bool {
-        let Some(met) = ray.meet(self.origin, reach.camera.forward) else { return true };
-        let asked = met + self.lag;
-        let tent = &reach.tent;
-        let x = clamp(asked.0[0] - tent.root, tent.reach());
-        let [tail, head] = tent.sideways(x);
-        let dz = (asked.0[2] - self.origin.0[2]).smaller(tail).larger(-head);
-        self.wanted = V3([tent.root + x, tent.height(x), self.origin.0[2] + dz]);
-        self.mark(t_us, x);
-        x != asked.0[0] - tent.root || dz != asked.0[2] - self.origin.0[2]
+    pub fn drag(&mut self, sample: &Sample, reach: &Reach<R>) -> bool {
+        self.finger = [sample.x, sample.y];
+        self.aim(reach);
+        self.mark(sample.t_us, self.wanted.0[0] - reach.tent.root);
+        self.beyond
+    }
+
+    /// The place under the finger; at first where the node lay, and on the tent once the finger has gone some way.
+    fn aim(&mut self, reach: &Reach<R>) {
+        let aim = reach.aim(self.finger);
+        let way = (aim.at + self.lag - self.origin).norm();
+        let fade = (reach.tent.radius * R::of(FADE)).larger(self.lag.norm() * R::of(FAR));
+        let left = (R::of(1.0) - way / fade).larger(R::ZERO);
+        self.wanted = reach.tent.nearest(aim.at + self.lag * left);
+        self.beyond = aim.clamped;
     }
 
     fn mark(&mut self, t_us: u64, x: R) {
@@ -150,22 +209,18 @@ impl<R: Real> Guide<R> {
         meant && enough
     }
 
-    /// Moves the target by one step of `h` seconds. Answers the target as near `node` as the leash asks,
-    /// whether the leash held it back, and whether the hand still holds.
+    /// Moves the target by one step of `h` seconds, as near `node` as the leash asks.
     ///
     /// The leash runs along the tent: a target far ahead leads the node over the peak, not through the block.
     /// It is the shorter, the more the sheet is strained: a finger that jumps about does not tear it.
-    pub fn advance(
-        &mut self,
-        node: V3<R>,
-        reach: &Reach<R>,
-        strain: R,
-        h: R,
-    ) -> (V3<R>, bool, bool) {
+    pub fn advance(&mut self, node: V3<R>, reach: &Reach<R>, strain: R, h: R, grip: R) -> Pull<R> {
         let tent = &reach.tent;
         let here = node.0[0] - tent.root;
         let holds = match self.motion {
-            Motion::Dragging => true,
+            Motion::Dragging => {
+                self.aim(reach);
+                true
+            }
             Motion::Following(speed) => self.follow(speed, here, reach, h),
         };
         let spare = (R::of(TORN) - strain) * R::of(1.0 / (TORN - STRAINED));
@@ -174,24 +229,30 @@ impl<R: Real> Guide<R> {
         let x = asked.larger(here - leash).smaller(here + leash);
         let z = self.wanted.0[2].larger(node.0[2] - leash).smaller(node.0[2] + leash);
         let held_back = x != asked || z != self.wanted.0[2];
-        let target = if held_back { V3([tent.root + x, tent.height(x), z]) } else { self.wanted };
-        (target, held_back, holds)
+        let target =
+            if held_back { V3([tent.root + x, self.level(x, tent), z]) } else { self.wanted };
+        let firm = grip * leash / (target - node).norm().larger(leash * R::of(1.0 / CLOSE));
+        Pull { target, leashed: held_back, firm: firm.larger(R::of(1.0)), holds }
+    }
+
+    /// As far below the tent at `x` as the wanted place is below it where that is.
+    fn level(&self, x: R, tent: &Tent<R>) -> R {
+        tent.height(x) + self.wanted.0[1] - tent.height(self.wanted.0[0] - tent.root)
     }
 
     /// Runs on along the tent. Answers false once the node itself is over, or nothing drives it any more.
     fn follow(&mut self, speed: R, here: R, reach: &Reach<R>, h: R) -> bool {
         let tent = &reach.tent;
-        let limit = tent.reach();
         let x = self.wanted.0[0] - tent.root;
+        let limit = tent.reach(speed);
         let uphill = if (x < R::ZERO) == (speed > R::ZERO) { R::of(-1.0) } else { R::of(1.0) };
         let slope = tent.height(R::ZERO) / limit;
         let faster =
             (speed.magnitude() + uphill * R::of(SLOPE_PULL) * slope * h).larger(R::of(LEAST_SPEED));
         let sign = if speed < R::ZERO { R::of(-1.0) } else { R::of(1.0) };
         let next = clamp(x + sign * faster * h, limit);
-        let [tail, head] = tent.sideways(next);
-        let dz = (self.wanted.0[2] - self.origin.0[2]).smaller(tail).larger(-head);
-        self.wanted = V3([tent.root + next, tent.height(next), self.origin.0[2] + dz]);
+        self.wanted =
+            tent.nearest(V3([tent.root + next, self.level(next, tent), self.wanted.0[2]]));
         self.motion = Motion::Following(sign * faster);
         self.followed += h;
         sign * here < limit * R::of(BEYOND) && self.followed < R::of(LONGEST)
@@ -200,6 +261,8 @@ impl<R: Real> Guide<R> {
     /// Adds everything that decides the hand's future to a state hash.
     pub fn digest(&self, hash: &mut Fnv) {
         hash.word(u64::from(self.id) | (self.node.0 as u64) << 8 | (self.node.1 as u64) << 24);
+        self.place.digest(hash);
+        self.finger.iter().for_each(|&c| hash.word(c as u64));
         let places = [self.origin, self.lag, self.wanted];
         places.iter().flat_map(|v| v.0).for_each(|c| hash.real(c));
         for mark in &self.marks {

@@ -4,7 +4,7 @@
 
 use super::view::Ray;
 use crate::grid::Grid;
-use crate::real::Real;
+use crate::real::{Real, V3};
 use crate::state::{Field, Leaf};
 
 /// Nodes nearer the spine than this share of the width cannot be held: they could hardly move.
@@ -27,4 +27,19 @@ fn holdable<G: Grid>(i: usize, k: usize) -> bool {
     let inner = (1..G::NX - 1).contains(&i) && (1..G::NZ - 1).contains(&k);
     let ring = i == G::NX - 2 || k == 1 || k == G::NZ - 2;
     inner && ring && i * LEAST_COLUMN >= G::NX
+}
+
+/// The node in from the fore-edge that is as far along the binding as where a ray meets its height.
+pub fn level_with<R: Real, G: Grid>(leaf: &Leaf<R, G>, ray: &Ray<R>) -> (usize, usize) {
+    let column = G::NX - 2;
+    let up = V3([R::ZERO, R::of(1.0), R::ZERO]);
+    let z = ray.meet(leaf.x.at(column, 0), up).map_or(R::ZERO, |p| p.0[2]);
+    let mut best = (1, R::of(1e30));
+    for k in 1..G::NZ - 1 {
+        let d = (leaf.x.at(column, k).0[2] - z).magnitude();
+        if d < best.1 {
+            best = (k, d);
+        }
+    }
+    (column, best.0)
 }

@@ -26,6 +26,10 @@ const FURTHEST_M: f64 = 1e4;
 const FILL: f64 = 0.93;
 
 impl View {
+    /// A view that sees nothing.
+    pub const NONE: Self =
+        Self { eye_m: [0.0; 3], target_m: [0.0; 3], fov_y_deg: 0.0, width_px: 0, height_px: 0 };
+
     /// A reader at a table: the whole spread in the picture with room for a leaf in the air.
     pub fn reading(width_m: f64, height_m: f64, width_px: u32, height_px: u32) -> Self {
         let fov_y_deg = 30.0;

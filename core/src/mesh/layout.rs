@@ -203,6 +203,10 @@ impl<G: Grid> Layout<G> {
     pub const ROWS: usize = ALONG * (G::NZ - 1) + 1;
     /// Vertices in all.
     pub const VERTICES: usize = Self::totals(PARTS).0;
+    /// Vertices of the leaf's three parts, which come first.
+    pub const LEAF_VERTICES: usize = Self::totals(3).0;
+    /// Their indices.
+    pub const LEAF_INDICES: usize = Self::totals(3).1;
     /// Indices in all.
     pub const INDICES: usize = Self::totals(PARTS).1;
 
@@ -262,6 +266,6 @@ impl fmt::Display for MeshError {
 
 impl core::error::Error for MeshError {}
 
-pub(super) fn enough(has: usize, needs: usize) -> Result<(), MeshError> {
+pub(crate) fn enough(has: usize, needs: usize) -> Result<(), MeshError> {
     if has < needs { Err(MeshError::TooSmall { has, needs }) } else { Ok(()) }
 }

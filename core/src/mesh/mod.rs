@@ -37,6 +37,7 @@ pub mod vertex;
 
 pub use board::{BOARD_M, OVERHANG_M, table_drop_m};
 pub use indices::indices;
+pub(crate) use layout::enough;
 pub use layout::{Counts, Layout, MeshError, PARTS, Part, Surface};
 pub use vertex::Vertex;
 
@@ -76,6 +77,22 @@ pub fn vertices<R: Real, G: Grid>(
     block::write(book, true, counts.body(out, [Surface::RightTop, Surface::RightBottom]));
     board::write(book, counts.body(out, [Surface::LeftBoard, Surface::Spine]));
     Ok(counts)
+}
+
+/// Fills the three parts of one more leaf over a book, one leaf thick, in another pose than the held one's.
+///
+/// # Errors
+///
+/// [`MeshError::TooSmall`] below [`Layout::LEAF_VERTICES`]: nothing was written.
+pub(crate) fn one_leaf<R: Real, G: Grid>(
+    book: &Book<R, G>,
+    leaf: &crate::state::Leaf<R, G>,
+    out: &mut [Vertex],
+) -> Result<(), MeshError> {
+    layout::enough(out.len(), Layout::<G>::LEAF_VERTICES)?;
+    let half = book.binding().leaf * R::of(0.5);
+    leaf::Sheaf { half, ..leaf::Sheaf::of_book(book, leaf) }.write(out);
+    Ok(())
 }
 
 /// The same for a lone leaf `thickness_m` thick, from [`PaperSpec`](crate::scene::PaperSpec): its three parts, no other.

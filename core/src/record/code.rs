@@ -5,7 +5,7 @@
 
 use super::header::Tier;
 use crate::hand::Phase;
-use crate::scene::{Cover, Direction, Fidelity, Formulation};
+use crate::scene::{Cover, Direction, Fidelity, Formulation, Pages};
 
 /// A value that travels as one byte.
 pub(super) trait Coded: Copy + 'static {
@@ -36,6 +36,7 @@ coded!(Cover, "cover", Hard = 0, Soft = 1);
 coded!(Direction, "reading direction", Ltr = 0, Rtl = 1);
 coded!(Fidelity, "fidelity", Draft = 0, Standard = 1, Fine = 2, Reference = 3);
 coded!(Formulation, "formulation", Condensed = 0, Seed = 1);
+coded!(Pages, "pages", Spread = 0, Single = 1);
 coded!(Phase, "pointer phase", Down = 0, Move = 1, Up = 2, Cancel = 3);
 
 /// Whether something optional follows.

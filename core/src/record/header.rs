@@ -8,7 +8,9 @@ use crate::book::Book;
 use crate::grid::Grid;
 use crate::hand::View;
 use crate::real::Real;
-use crate::scene::{BookSpec, Fidelity, Formulation, PaperSpec, SpecError, Weights, WorldSpec};
+use crate::scene::{
+    BookSpec, Fidelity, Formulation, Handling, PaperSpec, SpecError, Weights, WorldSpec,
+};
 use crate::state::Fnv;
 use core::fmt;
 
@@ -61,9 +63,22 @@ pub struct Setup {
     pub fidelity: Fidelity,
     /// Which equations.
     pub formulation: Formulation,
+    /// How a finger and a page meet.
+    pub handling: Handling,
 }
 
 impl Setup {
+    /// A setup no book opens with: there is no view yet.
+    pub(crate) const NONE: Self = Self {
+        book: BookSpec::ONE_LEAF,
+        paper: PaperSpec::OFFICE,
+        world: WorldSpec::TABLE,
+        view: View::NONE,
+        fidelity: Fidelity::Standard,
+        formulation: Formulation::Condensed,
+        handling: Handling::SPRING,
+    };
+
     /// What a reader at a table sees of a book in a picture of given size; everything else as by default.
     pub fn reading(book: BookSpec, width_px: u32, height_px: u32) -> Self {
         Self {
@@ -73,6 +88,7 @@ impl Setup {
             view: View::reading(book.width_m, book.height_m, width_px, height_px),
             fidelity: Fidelity::default(),
             formulation: Formulation::default(),
+            handling: Handling::default(),
         }
     }
 
@@ -85,7 +101,8 @@ impl Setup {
         self.book.check()?;
         self.paper.check()?;
         self.world.check()?;
-        self.view.check()
+        self.view.check()?;
+        self.handling.check()
     }
 
     /// Opens a book with it, in place.
@@ -97,18 +114,23 @@ impl Setup {
         if self.formulation != Formulation::Condensed {
             return Err(RecordError::Formulation);
         }
+        self.handling.check()?;
         book.open(&self.book, &self.paper, &self.world, &self.view, self.fidelity)?;
+        book.handle(self.handling)?;
         Ok(())
     }
 
     fn fields(&mut self, wire: &mut impl Wire) -> Done {
-        let Self { book, paper, world, view, fidelity, formulation } = self;
+        let Self { book, paper, world, view, fidelity, formulation, handling } = self;
         book_fields(book, wire)?;
         paper_fields(paper, wire)?;
         world_fields(world, wire)?;
         view_fields(view, wire)?;
         wire.code(fidelity)?;
-        wire.code(formulation)
+        wire.code(formulation)?;
+        let Handling { grip, pages } = handling;
+        wire.f64(grip)?;
+        wire.code(pages)
     }
 }
 

@@ -11,7 +11,7 @@
 //!         weights u8 (0 = none, 1 = these: bend_3d bend_2d glue iso_3d position, f64 each)
 //! world   gravity 3 f64  damping_per_s f64  step_us u32  seed u64
 //! view    eye_m 3 f64  target_m 3 f64  fov_y_deg f64  width_px u32  height_px u32
-//! fidelity u8  formulation u8
+//! fidelity u8  formulation u8  grip f64  pages u8
 //!   1 input   t_us u64  id u8  phase u8  x i32  y i32  leaves u16
 //!   2 look    view, as above
 //!   3 step    hash u64
@@ -47,7 +47,7 @@ pub use write::{Recorder, Sink, SliceSink};
 /// What every recording begins with.
 pub const MAGIC: [u8; 4] = *b"DLR1";
 /// The layout this build writes, and the only one it reads. A new field or code means a new version.
-pub const VERSION: u16 = 1;
+pub const VERSION: u16 = 2;
 /// Longest recording, bytes.
 pub const MAX_BYTES: usize = 16 << 20;
 /// Most inputs, looks and steps together: almost five hours at sixty steps a second.

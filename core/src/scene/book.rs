@@ -53,6 +53,16 @@ impl Default for BookSpec {
 }
 
 impl BookSpec {
+    /// The smallest of books.
+    pub const ONE_LEAF: Self = Self {
+        width_m: 0.13,
+        height_m: 0.20,
+        pages: 1,
+        open_at: 0,
+        cover: Cover::Hard,
+        direction: Direction::Ltr,
+    };
+
     /// Leaves in the book.
     pub fn leaves(&self) -> u32 {
         self.pages.div_ceil(2)

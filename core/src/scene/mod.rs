@@ -5,6 +5,7 @@
 pub mod book;
 pub mod error;
 pub mod fidelity;
+pub mod handling;
 pub mod paper;
 pub mod units;
 pub mod world;
@@ -12,6 +13,7 @@ pub mod world;
 pub use book::{BookSpec, Cover, Direction, LeafSpec};
 pub use error::SpecError;
 pub use fidelity::{Fidelity, Formulation, Settings};
+pub use handling::{Handling, Pages};
 pub use paper::{PaperSpec, Preset, Weights};
 pub use units::Units;
 pub use world::WorldSpec;

@@ -101,6 +101,15 @@ impl From<Preset> for PaperSpec {
 }
 
 impl PaperSpec {
+    /// About [`Preset::Office`].
+    pub const OFFICE: Self = Self {
+        areal_mass_gsm: 80.0,
+        thickness_mm: 0.1,
+        youngs_gpa: 4.0,
+        poisson: 0.2,
+        weights: None,
+    };
+
     /// Bending rigidity `D = E t³ / 12 (1 - ν²)`, N m.
     pub fn rigidity_nm(&self) -> f64 {
         let t = self.thickness_mm * 1e-3;

@@ -17,11 +17,15 @@ pub struct WorldSpec {
 
 impl Default for WorldSpec {
     fn default() -> Self {
-        Self { gravity: [0.0, -9.81, 0.0], damping_per_s: 1.2, step_us: 16_667, seed: 1 }
+        Self::TABLE
     }
 }
 
 impl WorldSpec {
+    /// A table on the earth, at sixty steps a second.
+    pub const TABLE: Self =
+        Self { gravity: [0.0, -9.81, 0.0], damping_per_s: 1.2, step_us: 16_667, seed: 1 };
+
     /// Refuses what no step could take.
     ///
     /// # Errors

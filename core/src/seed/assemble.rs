@@ -205,8 +205,8 @@ fn grabbed<R: Real, G: SeedGrid>(
     pose: &Pose<R, G>,
     sink: &mut impl Sink<R>,
 ) {
-    let Some(Grab { node: (i, k), target }) = model.ask.grab else { return };
-    let (node, w) = (number::leaf::<G>(i, k), model.sheet.position);
+    let Some(Grab { node: (i, k), target, firm }) = model.ask.grab else { return };
+    let (node, w) = (number::leaf::<G>(i, k), model.sheet.position * firm);
     pull(sink, node, &position::gradient(pose.leaf.at(i, k), target, w).0);
     alike(sink, node, node, position::hessian(w));
 }

@@ -75,6 +75,8 @@ pub struct Grab<R> {
     pub node: (usize, usize),
     /// Target `p` of Eq. 14.
     pub target: V3<R>,
+    /// How firmly, in weights `w_pos` of the sheet.
+    pub firm: R,
 }
 
 /// Positions, velocities, and the contacts of the last collision pass.

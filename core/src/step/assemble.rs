@@ -214,10 +214,11 @@ fn grabbed<R: Real, G: Grid>(
     s: &mut impl Blocks<R, G>,
     g: &mut Field<R, G>,
 ) {
-    let Some(Grab { node: (held, k), target }) = ask.grab else { return };
+    let Some(Grab { node: (held, k), target, firm }) = ask.grab else { return };
     if held != i {
         return;
     }
-    g.set(i, k, g.at(i, k) + position::gradient(leaf.x.at(i, k), target, sheet.position));
-    s.add_diagonal(i, k, position::hessian(sheet.position));
+    let w = sheet.position * firm;
+    g.set(i, k, g.at(i, k) + position::gradient(leaf.x.at(i, k), target, w));
+    s.add_diagonal(i, k, position::hessian(w));
 }

@@ -121,6 +121,6 @@ fn clamp_energy<R: Real, G: Grid>(sheet: &Sheet<R, G>, x: &Field<R, G>, ask: &As
 }
 
 fn grab_energy<R: Real, G: Grid>(sheet: &Sheet<R, G>, x: &Field<R, G>, ask: &Ask<R>) -> R {
-    let Some(Grab { node: (i, k), target }) = ask.grab else { return R::ZERO };
-    position::value(x.at(i, k), target, sheet.position)
+    let Some(Grab { node: (i, k), target, firm }) = ask.grab else { return R::ZERO };
+    position::value(x.at(i, k), target, sheet.position * firm)
 }

@@ -7,7 +7,7 @@ use dogleaf_core::grid::G11x8;
 use dogleaf_core::hand::{Sample, View};
 use dogleaf_core::real::Real;
 use dogleaf_core::record::{Reader, Record, RecordError, Recorder, Setup, Sink};
-use dogleaf_core::scene::Formulation;
+use dogleaf_core::scene::{Formulation, Handling};
 use std::path::{Path, PathBuf};
 
 /// A recording in memory.
@@ -51,6 +51,7 @@ pub fn record<R: Real>(case: &Case) -> Result<Vec<u8>, RecordError> {
         view: scene.view,
         fidelity: scene.fidelity,
         formulation: Formulation::Condensed,
+        handling: Handling::default(),
     };
     let mut pen = Pen(Recorder::start::<R, G11x8>(Bytes::default(), &setup)?);
     let _ = case.run::<R>(&mut pen);

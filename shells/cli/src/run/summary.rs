@@ -82,6 +82,7 @@ fn told(event: &EventName, time_s: f64) -> String {
             let noun = if *leaves == 1 { "leaf" } else { "leaves" };
             format!("{time_s:.3} s: {leaves} {noun} lifted from the {side}")
         }
+        EventName::Held { leaves } => format!("{time_s:.3} s: {leaves} in the hand"),
         EventName::Committed { page } => format!("{time_s:.3} s: turned, open at page {page}"),
         EventName::Cancelled => format!("{time_s:.3} s: put back"),
         EventName::Asleep => format!("{time_s:.3} s: at rest"),

@@ -9,7 +9,7 @@ use dogleaf_core::grid::Grid;
 use dogleaf_core::hand::Sample;
 use dogleaf_core::real::{Real, V2};
 use dogleaf_core::record::{RecordError, Recorder, Setup, Sink};
-use dogleaf_core::scene::{BookSpec, Fidelity, Formulation};
+use dogleaf_core::scene::{BookSpec, Fidelity, Formulation, Handling};
 use dogleaf_core::step::StepReport;
 use std::sync::Arc;
 
@@ -46,6 +46,7 @@ pub(super) fn build<R: Real, G: Grid>(
         view: scene.view,
         fidelity,
         formulation: Formulation::Condensed,
+        handling: Handling::default(),
     };
     let book = Book::<R, G>::EMPTY;
     let indices = book_indices::<G>()?;

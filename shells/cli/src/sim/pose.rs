@@ -69,6 +69,7 @@ impl Energy {
 #[serde(tag = "event", rename_all = "lowercase")]
 pub(crate) enum EventName {
     Lifted { from_right: bool, leaves: u32 },
+    Held { leaves: u32 },
     Committed { page: u32 },
     Cancelled,
     Asleep,
@@ -78,6 +79,7 @@ impl From<Event> for EventName {
     fn from(event: Event) -> Self {
         match event {
             Event::Lifted { from_right, leaves } => Self::Lifted { from_right, leaves },
+            Event::Held { leaves } => Self::Held { leaves },
             Event::Committed { page } => Self::Committed { page },
             Event::Cancelled => Self::Cancelled,
             Event::Asleep => Self::Asleep,

@@ -64,7 +64,7 @@ impl Figures {
             match event {
                 Event::Committed { page } => self.committed = Some(page),
                 Event::Cancelled => self.committed = None,
-                Event::Lifted { .. } | Event::Asleep => {}
+                Event::Lifted { .. } | Event::Held { .. } | Event::Asleep => {}
             }
         }
     }

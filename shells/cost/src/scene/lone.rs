@@ -96,7 +96,11 @@ impl<R: Real, G: Grid> Lone<R, G> {
     /// Sets the hand's target for a moment.
     pub fn lead(&mut self, t_s: f64) {
         let Some(hand) = &self.hand else { return };
-        self.ask.grab = Some(Grab { node: (G::NX - 1, 0), target: V3(hand.at(t_s).map(R::of)) });
+        self.ask.grab = Some(Grab {
+            node: (G::NX - 1, 0),
+            target: V3(hand.at(t_s).map(R::of)),
+            firm: R::of(1.0),
+        });
     }
 
     /// `v = (x - x_before) / h`.
