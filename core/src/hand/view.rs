@@ -45,6 +45,18 @@ impl View {
         Self { eye_m, target_m: target, fov_y_deg, width_px, height_px }
     }
 
+    /// One page from straight above, filling the picture: the right one, or the left.
+    pub fn page(width_m: f64, height_m: f64, width_px: u32, height_px: u32, right: bool) -> Self {
+        let fov_y_deg = 20.0;
+        let aspect = f64::from(width_px.max(1)) / f64::from(height_px.max(1));
+        let across = 0.5 * width_m / aspect;
+        let along = 0.5 * height_m;
+        let distance = if across > along { across } else { along } / half_tangent(fov_y_deg);
+        let x = if right { 0.5 * width_m } else { -0.5 * width_m };
+        let (eye_m, target_m) = ([x, distance, 0.0], [x, 0.0, 0.0]);
+        Self { eye_m, target_m, fov_y_deg, width_px, height_px }
+    }
+
     /// Refuses a camera that sees nothing.
     ///
     /// # Errors
