@@ -382,14 +382,14 @@ fn a_display_that_is_a_little_off_does_not_stutter() {
         let mut now = START_US;
         let _ = read.turn(true, 1);
         let mut uneven = 0;
-        for n in 0..60 {
+        for n in 0..36 {
             let before = seen.0.len();
             now += frame;
             // Up to three milliseconds late.
             let _ = read.step(now + [0, 2900, 700, 1800][n % 4], &mut seen);
             uneven += u64::from(seen.0.len() - before != 1);
         }
-        // What the display is off in a second is one step or none.
+        // What the display is off in that time is one step or none.
         assert!(uneven <= 2, "{uneven} uneven pictures of {frame} µs");
     }
 }
