@@ -133,12 +133,16 @@ fn stars<R: Real, G: Grid>(
             continue;
         }
         let rows = star(&leaf.x, i, k).rows(scales.map(|v| R::Lanes::all(v) * weight));
-        let mut by_node = [[V3::zero(); 5]; 3];
+        let mut by_node = [[V3::zero(); 3]; 5];
         let mut pull = [V3::zero(); 5];
-        for ((row, named), nodes) in rows.iter().zip(ROWS).zip(&mut by_node) {
-            spread(nodes, named, &row.gradient);
-            for (p, n) in pull.iter_mut().zip(nodes.iter()) {
-                *p = *p + *n * row.value;
+        for (r, (row, named)) in rows.iter().zip(ROWS).enumerate() {
+            let mut nodes = [V3::zero(); 5];
+            spread(&mut nodes, named, &row.gradient);
+            for ((p, &n), rows) in pull.iter_mut().zip(&nodes).zip(&mut by_node) {
+                *p = *p + n * row.value;
+                if let Some(slot) = rows.get_mut(r) {
+                    *slot = n;
+                }
             }
         }
         add_star_gradient(g, i, k, &pull);
@@ -160,47 +164,32 @@ fn add_star_gradient<R: Real, G: Grid>(
     g.add_rows(i - 1, k, 0, p[2]);
 }
 
-/// The fifteen pairs of a star's nodes, each stored at the later node: `(later, earlier, pair, column, row)`.
-const PAIRS: [(usize, usize, usize, isize, isize); 15] = [
-    (0, 0, pair::SELF, 1, 0),
-    (0, 1, pair::HEADWARD, 1, 0),
-    (0, 2, pair::COLUMN2, 1, 0),
-    (0, 3, pair::TAILWARD, 1, 0),
-    (0, 4, pair::COLUMN, 1, 0),
-    (1, 2, pair::TAILWARD, 0, 1),
-    (4, 2, pair::COLUMN, 0, 0),
-    (3, 2, pair::HEADWARD, 0, -1),
-    (1, 1, pair::SELF, 0, 1),
-    (1, 4, pair::ROW, 0, 1),
-    (1, 3, pair::ROW2, 0, 1),
-    (4, 4, pair::SELF, 0, 0),
-    (4, 3, pair::ROW, 0, 0),
-    (3, 3, pair::SELF, 0, -1),
-    (2, 2, pair::SELF, -1, 0),
-];
-
+/// The fifteen pairs of a star's nodes `x⁺, z⁺, x⁻, z⁻, centre`, each stored at the later node. The calls are
+/// written out: every place is then a constant away from the star's.
 #[inline(always)]
 fn add_star_blocks<R: Real, G: Grid>(
     s: &mut impl Blocks<R, G>,
     i: usize,
     k: usize,
-    rows: &[[V3<R::Lanes>; 5]; 3],
+    [front, head, spine, tail, centre]: &[[V3<R::Lanes>; 3]; 5],
 ) {
-    for (later, earlier, which, column, shift) in PAIRS {
-        // The column at the spine is held.
-        if column < 0 && i == 1 {
-            continue;
-        }
-        let mut block = [[R::Lanes::zero(); 3]; 3];
-        for nodes in rows {
-            let (Some(a), Some(b)) = (nodes.get(later), nodes.get(earlier)) else { continue };
-            for (line, &ac) in block.iter_mut().zip(&a.0) {
-                for (slot, &bd) in line.iter_mut().zip(&b.0) {
-                    *slot = *slot + ac * bd;
-                }
-            }
-        }
-        s.add_block(which, i.wrapping_add_signed(column), k, shift, &block);
+    s.add_products(pair::SELF, i + 1, k, 0, front, front);
+    s.add_products(pair::HEADWARD, i + 1, k, 0, front, head);
+    s.add_products(pair::COLUMN2, i + 1, k, 0, front, spine);
+    s.add_products(pair::TAILWARD, i + 1, k, 0, front, tail);
+    s.add_products(pair::COLUMN, i + 1, k, 0, front, centre);
+    s.add_products(pair::TAILWARD, i, k, 1, head, spine);
+    s.add_products(pair::COLUMN, i, k, 0, centre, spine);
+    s.add_products(pair::HEADWARD, i, k, -1, tail, spine);
+    s.add_products(pair::SELF, i, k, 1, head, head);
+    s.add_products(pair::ROW, i, k, 1, head, centre);
+    s.add_products(pair::ROW2, i, k, 1, head, tail);
+    s.add_products(pair::SELF, i, k, 0, centre, centre);
+    s.add_products(pair::ROW, i, k, 0, centre, tail);
+    s.add_products(pair::SELF, i, k, -1, tail, tail);
+    // The column at the spine is held.
+    if i > 1 {
+        s.add_products(pair::SELF, i - 1, k, 0, spine, spine);
     }
 }
 
