@@ -126,19 +126,26 @@ impl<R: Real, G: Grid> Factor<R, G> {
         let Some((left, right)) = own.split_at_mut_checked(place.diagonal() - place.start) else {
             return;
         };
-        let used = left.get((place.first - place.stored) * LANES..).unwrap_or(&[]);
+        let first = begun::<R>(place.first);
+        let used = left.get((first - place.stored) * LANES..).unwrap_or(&[]);
         self.regularised += if R::Lanes::WIDTH == 1 {
-            one::factor_diagonal::<R>(right, used)
+            one::factor_diagonal::<R>(right, used, place.second - first)
         } else {
             tile::factor_diagonal::<R>(right, used)
         };
     }
 }
 
+/// The column to begin with for sums that are zeros before `first`: where rows travel alone, its stride's.
+#[inline(always)]
+fn begun<R: Real>(first: usize) -> usize {
+    if R::Lanes::WIDTH == 1 { first / one::STRIDE * one::STRIDE } else { first }
+}
+
 /// The block of a panel in the columns of the panel above that begins with `column`.
 #[inline(always)]
 fn eliminate<R: Real>(own: &mut [R], place: &Place, upper: &[R], above: &Place, column: usize) {
-    let first = place.first.max(above.first);
+    let first = begun::<R>(place.first.max(above.first));
     let own_at = (column - place.stored) * LANES;
     let upper_at = (first - above.stored) * LANES;
     let terms = column.saturating_sub(first) * LANES;
@@ -147,7 +154,8 @@ fn eliminate<R: Real>(own: &mut [R], place: &Place, upper: &[R], above: &Place, 
     let factors = upper.get(upper_at..upper_at + terms).unwrap_or(&[]);
     let inverse = upper.get(above.diagonal() - above.start..).unwrap_or(&[]);
     if R::Lanes::WIDTH == 1 {
-        one::eliminate::<R>(right, rows, factors, inverse);
+        let later = [place.second.saturating_sub(first), above.second.saturating_sub(first)];
+        one::eliminate::<R>(right, rows, factors, inverse, later);
     } else {
         tile::eliminate::<R>(right, rows, factors, inverse);
     }
