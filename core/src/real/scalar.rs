@@ -57,6 +57,11 @@ pub trait Real:
     ) -> Option<SVector<Self, D>>;
 }
 
+#[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
+use dogleaf_root::root as root_f32;
+#[cfg(not(all(target_arch = "arm", target_abi = "eabihf")))]
+use libm::sqrtf as root_f32;
+
 macro_rules! real {
     ($t:ty, $lanes:ty, $name:literal, $eps:expr, $bits:ty, $nan:literal, $sqrt:path, $sin:path, $cos:path, $exp:path) => {
         impl Num for $t {
@@ -143,7 +148,7 @@ real!(
     1.1920929e-7,
     u32,
     0x7fc0_0000,
-    libm::sqrtf,
+    root_f32,
     libm::sinf,
     libm::cosf,
     libm::expf
