@@ -1,6 +1,6 @@
 //! `f32` and `f64` as the core sees them.
 
-use super::{Eight, Lanes, Num};
+use super::{Eight, Lanes, Num, small};
 use core::ops::{AddAssign, MulAssign, SubAssign};
 use nalgebra::{SMatrix, SVector};
 
@@ -53,7 +53,7 @@ pub trait Real:
     /// Solves a small symmetric positive definite system; `None` where it is not.
     fn solve_small<const D: usize>(
         a: SMatrix<Self, D, D>,
-        b: &SVector<Self, D>,
+        b: SVector<Self, D>,
     ) -> Option<SVector<Self, D>>;
 }
 
@@ -132,10 +132,10 @@ macro_rules! real {
                 $exp(self)
             }
             fn solve_small<const D: usize>(
-                a: SMatrix<Self, D, D>,
-                b: &SVector<Self, D>,
+                mut a: SMatrix<Self, D, D>,
+                mut b: SVector<Self, D>,
             ) -> Option<SVector<Self, D>> {
-                a.cholesky().map(|factor| factor.solve(b))
+                small::solve(a.as_mut_slice(), b.as_mut_slice()).then_some(b)
             }
         }
     };
