@@ -38,7 +38,11 @@ impl<R: Real, G: Grid> Factor<R, G> {
 
     /// Empties the matrix: ones on the diagonal of the padding, zeros elsewhere.
     pub fn clear(&mut self) {
-        self.panels.as_mut().fill(R::ZERO);
+        // The zero is hidden: the loop would else become a call that takes thrice as long on a small processor.
+        let zero = core::hint::black_box(R::ZERO);
+        let (lines, rest) = self.panels.as_mut().as_chunks_mut::<{ 4 * LANES }>();
+        lines.iter_mut().for_each(|line| *line = [zero; 4 * LANES]);
+        rest.fill(zero);
         for row in G::UNKNOWNS..G::ROWS {
             self.set(row, row, R::of(1.0));
         }
@@ -46,9 +50,7 @@ impl<R: Real, G: Grid> Factor<R, G> {
     /// Takes the rows of column `i` of nodes.
     pub fn take(&mut self, s: &Stencil<R, G>, i: usize) {
         for k in 0..G::NZ {
-            for c in 0..3 {
-                self.take_row(s, i, k, c);
-            }
+            self.take_node(s, i, k);
         }
     }
     /// One entry of the matrix, `row >= column`.
@@ -72,24 +74,43 @@ impl<R: Real, G: Grid> Factor<R, G> {
         }
     }
 
-    /// The entries of coordinate `c` of node `(i, k)`: seven neighbours, three coordinates each.
+    /// The entries of node `(i, k)`: seven neighbours of three by three.
     #[inline(always)]
-    fn take_row(&mut self, s: &Stencil<R, G>, i: usize, k: usize, c: usize) {
-        let row = unknown::<G>(i, k, c);
-        let place = Place::of::<G>(row / LANES);
-        for n in 0..NEIGHBOURS.len() {
-            if !exists::<G>(i, k, n) {
-                continue;
-            }
+    fn take_node(&mut self, s: &Stencil<R, G>, i: usize, k: usize) {
+        let first = unknown::<G>(i, k, 0);
+        let diagonal: [usize; 3] =
+            core::array::from_fn(|c| Place::of::<G>((first + c) / LANES).entry(first + c, first));
+        for n in (0..NEIGHBOURS.len()).filter(|&n| exists::<G>(i, k, n)) {
             let (j, l) = earlier(i, k, n);
-            let at = place.entry(row, unknown::<G>(j, l, 0));
-            for d in 0..3 {
-                if let Some(slot) = self.panels.as_mut().get_mut(at + d * LANES)
-                    && (n != pair::SELF || d <= c)
-                {
-                    *slot = s.at(n, c, d, i, k);
+            let back = (first - unknown::<G>(j, l, 0)) * LANES;
+            let lines = s.lines(n, i, k);
+            for (c, (own, line)) in diagonal.iter().zip(lines).enumerate() {
+                // Of the node itself only the lower triangle.
+                if n != pair::SELF || c == 2 {
+                    self.take_line(own - back, line);
+                } else {
+                    self.take_pair(own - back, line, c);
                 }
             }
+        }
+    }
+
+    /// Three entries of a row, from place `at` on.
+    #[inline(always)]
+    fn take_line(&mut self, at: usize, line: [R; 3]) {
+        let slots = self.panels.as_mut().get_mut(at..);
+        if let Some(slots) = slots.and_then(<[R]>::first_chunk_mut::<{ 2 * LANES + 1 }>) {
+            for (slot, value) in slots.iter_mut().step_by(LANES).zip(line) {
+                *slot = value;
+            }
+        }
+    }
+    /// The first of them, and the second where there is a column `c`.
+    #[inline(always)]
+    fn take_pair(&mut self, at: usize, line: [R; 3], c: usize) {
+        let slots = self.panels.as_mut().get_mut(at..).unwrap_or_default();
+        for (slot, value) in slots.iter_mut().step_by(LANES).zip(line).take(c + 1) {
+            *slot = value;
         }
     }
 

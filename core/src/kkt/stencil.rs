@@ -62,10 +62,13 @@ impl<R: Real, G: Grid> Stencil<R, G> {
         let at = at.wrapping_add_signed(shift * Self::NODE as isize);
         self.0.as_mut().get_mut(at..at + Self::BLOCK)
     }
-    /// Entry between coordinate `c` of the later node `(i, k)` and `d` of its neighbour.
+    /// The block between the later node `(i, k)` and a neighbour, line by line.
     #[inline(always)]
-    pub fn at(&self, neighbour: usize, c: usize, d: usize, i: usize, k: usize) -> R {
-        self.0.as_ref().get(Self::place(neighbour, c, d, i, k)).copied().unwrap_or(R::ZERO)
+    pub fn lines(&self, neighbour: usize, i: usize, k: usize) -> [[R; 3]; 3] {
+        let at = Self::place(neighbour, 0, 0, i, k);
+        let block = self.0.as_ref().get(at..=at + 8 * Self::ENTRY).unwrap_or(&[]);
+        let entry = |at: usize| block.get(at * Self::ENTRY).copied().unwrap_or(R::ZERO);
+        core::array::from_fn(|c| core::array::from_fn(|d| entry(3 * c + d)))
     }
     /// Adds to one entry.
     #[inline(always)]
