@@ -120,28 +120,28 @@ fn times_transposed<R: Real>(block: &mut Block<R>, inverse: &Block<R>) {
 /// Inverse of the Cholesky factor of the block, row by row, in its place.
 #[inline(never)]
 fn invert_factor<R: Real>(block: &mut Block<R>, entries: &[R; LANES]) -> u32 {
-    let mut inverse = [R::ZERO; LANES * LANES];
     let mut replaced = 0;
-    replaced += invert_column::<R, 0>(block, &mut inverse, entries);
-    replaced += invert_column::<R, 1>(block, &mut inverse, entries);
-    replaced += invert_column::<R, 2>(block, &mut inverse, entries);
-    replaced += invert_column::<R, 3>(block, &mut inverse, entries);
-    replaced += invert_column::<R, 4>(block, &mut inverse, entries);
-    replaced += invert_column::<R, 5>(block, &mut inverse, entries);
-    replaced += invert_column::<R, 6>(block, &mut inverse, entries);
-    replaced += invert_column::<R, 7>(block, &mut inverse, entries);
-    *block = inverse;
+    replaced += invert_column::<R, 0>(block, entries);
+    replaced += invert_column::<R, 1>(block, entries);
+    replaced += invert_column::<R, 2>(block, entries);
+    replaced += invert_column::<R, 3>(block, entries);
+    replaced += invert_column::<R, 4>(block, entries);
+    replaced += invert_column::<R, 5>(block, entries);
+    replaced += invert_column::<R, 6>(block, entries);
+    replaced += invert_column::<R, 7>(block, entries);
+    for c in 0..LANES {
+        for r in c + 1..LANES {
+            set(block, r, c, R::ZERO);
+        }
+    }
     replaced
 }
 
 /// Column `J` of the block becomes column `J` of `L` and is taken out of the columns after it; row `J` of the
-/// inverse follows from the rows before it. The trip counts are constants: no loop is left.
+/// inverse follows from the rows before it and lies where `Lᵀ` would. The trip counts are constants: no loop is
+/// left.
 #[inline(always)]
-fn invert_column<R: Real, const J: usize>(
-    block: &mut Block<R>,
-    inverse: &mut Block<R>,
-    entries: &[R; LANES],
-) -> u32 {
+fn invert_column<R: Real, const J: usize>(block: &mut Block<R>, entries: &[R; LANES]) -> u32 {
     let entry = entries.get(J).copied().unwrap_or(R::ZERO);
     let (used, bad) = pivot(get(block, J, J), entry);
     let scale = R::of(1.0) / used.root();
@@ -158,11 +158,11 @@ fn invert_column<R: Real, const J: usize>(
     for m in 0..J {
         let factor = get(block, J, m);
         for c in 0..=m {
-            row[c] -= get(inverse, c, m) * factor;
+            row[c] -= get(block, c, m) * factor;
         }
     }
     for c in 0..=J {
-        set(inverse, c, J, row[c] * scale);
+        set(block, c, J, row[c] * scale);
     }
     u32::from(bad)
 }
@@ -170,12 +170,10 @@ fn invert_column<R: Real, const J: usize>(
 /// `L_pp⁻¹ (b - Σ_k L_pk y_k)` of one panel, four partial sums a row.
 #[inline(never)]
 pub(super) fn forward<R: Real>(panel: &[R], known: &[R], b: [R; LANES]) -> [R; LANES] {
-    let (columns, _) = panel.as_chunks::<{ QUAD * LANES }>();
-    let (known, _) = known.as_chunks::<QUAD>();
-    let one = partial::<R, 0>(columns, known);
-    let two = partial::<R, 1>(columns, known);
-    let three = partial::<R, 2>(columns, known);
-    let four = partial::<R, 3>(columns, known);
+    let (columns, _) = panel.as_chunks::<LANES>();
+    let (columns, _) = columns.as_chunks();
+    let (known, _) = known.as_chunks();
+    let [one, two, three, four] = [0, 1, 2, 3].map(|n| partial(columns, known, n));
     let mut rest = b;
     for ((((rest, a), b), c), d) in rest.iter_mut().zip(one).zip(two).zip(three).zip(four) {
         *rest -= (a + b) + (c + d);
@@ -186,17 +184,12 @@ pub(super) fn forward<R: Real>(panel: &[R], known: &[R], b: [R; LANES]) -> [R; L
     })
 }
 
-/// `Σ L_pk y_k` over every fourth column from the `N`-th.
+/// `Σ L_pk y_k` over every fourth column from the `n`-th.
 #[inline(never)]
-fn partial<R: Real, const N: usize>(
-    columns: &[[R; QUAD * LANES]],
-    known: &[[R; QUAD]],
-) -> [R; LANES] {
+fn partial<R: Real>(columns: &[[[R; LANES]; QUAD]], known: &[[R; QUAD]], n: usize) -> [R; LANES] {
     let mut sum = [R::ZERO; LANES];
     for (four, y) in columns.iter().zip(known) {
-        let y = y.get(N).copied().unwrap_or(R::ZERO);
-        let column: [R; LANES] =
-            core::array::from_fn(|r| four.get(N * LANES + r).copied().unwrap_or(R::ZERO));
+        let (column, y) = (four[n % QUAD], y[n % QUAD]);
         sum.iter_mut().zip(column).for_each(|(s, l)| *s += l * y);
     }
     sum

@@ -64,11 +64,13 @@ fn from_diagonal<R: Real>(a: &[R], n: usize, i: usize) -> Option<(&R, &[R])> {
 }
 
 /// `y -= x f`.
+#[inline(never)]
 fn take<R: Real>(y: &mut [R], x: &[R], f: R) {
     y.iter_mut().zip(x).for_each(|(y, &x)| *y -= x * f);
 }
 
 /// `⟨x, y⟩`: whole eights in eight partial sums, then the rest.
+#[inline(never)]
 fn dot<R: Real>(x: &[R], y: &[R]) -> R {
     let ((eights, x), (other, y)) = (x.as_chunks::<LANES>(), y.as_chunks::<LANES>());
     let mut partial = [R::ZERO; LANES];

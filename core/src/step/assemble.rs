@@ -6,8 +6,7 @@
 use super::ask::Ask;
 use super::bend::{bend, hinge};
 use super::matrix::Blocks;
-use super::star::{spread, star};
-use crate::constraint::dog::ROWS;
+use super::star::rows;
 use crate::grid::Grid;
 use crate::kkt::stencil::pair;
 use crate::potential::{contact, gravity, isometry, position};
@@ -96,19 +95,30 @@ fn edges<R: Real, G: Grid>(
         let between = R::Lanes::mask(k, 0, G::NZ - 1);
         let x = leaf.x.rows(i, k, 0);
         let e = isometry::edge(leaf.x.rows(i, k, 1) - x, along, wz * between, false);
-        s.add_block(pair::ROW, i, k, 1, &negative(&e.hessian));
-        s.add_block(pair::SELF, i, k, 1, &e.hessian);
-        s.add_block(pair::SELF, i, k, 0, &e.hessian);
-        g.add_rows(i, k, 1, e.gradient);
-        g.add_rows(i, k, 0, -e.gradient);
+        join(s, g, k, pair::ROW, (i, 1), (i, 0), &e);
         let e = isometry::edge(x - leaf.x.rows(i - 1, k, 0), across, wx * inside, false);
-        s.add_block(pair::COLUMN, i, k, 0, &negative(&e.hessian));
-        s.add_block(pair::SELF, i, k, 0, &e.hessian);
-        g.add_rows(i, k, 0, e.gradient);
-        if i > 1 {
-            s.add_block(pair::SELF, i - 1, k, 0, &e.hessian);
-            g.add_rows(i - 1, k, 0, -e.gradient);
-        }
+        join(s, g, k, pair::COLUMN, (i, 0), (i - 1, 0), &e);
+    }
+}
+
+/// Adds an edge between two nodes, each a column and a shift of the rows, the later one first.
+#[inline(never)]
+fn join<R: Real, G: Grid>(
+    s: &mut impl Blocks<R, G>,
+    g: &mut Field<R, G>,
+    k: usize,
+    which: usize,
+    later: (usize, isize),
+    earlier: (usize, isize),
+    e: &isometry::Edge<R::Lanes>,
+) {
+    s.add_block(which, later.0, k, later.1, &negative(&e.hessian));
+    s.add_block(pair::SELF, later.0, k, later.1, &e.hessian);
+    g.add_rows(later.0, k, later.1, e.gradient);
+    // The column at the spine is held.
+    if earlier.0 > 0 {
+        s.add_block(pair::SELF, earlier.0, k, earlier.1, &e.hessian);
+        g.add_rows(earlier.0, k, earlier.1, -e.gradient);
     }
 }
 
@@ -132,21 +142,13 @@ fn stars<R: Real, G: Grid>(
         if weight.largest() <= R::ZERO {
             continue;
         }
-        let rows = star(&leaf.x, i, k).rows(scales.map(|v| R::Lanes::all(v) * weight));
-        let mut by_node = [[V3::zero(); 3]; 5];
+        let rows = rows(&leaf.x, i, k, &scales.map(|v| R::Lanes::all(v) * weight));
         let mut pull = [V3::zero(); 5];
-        for (r, (row, named)) in rows.iter().zip(ROWS).enumerate() {
-            let mut nodes = [V3::zero(); 5];
-            spread(&mut nodes, named, &row.gradient);
-            for ((p, &n), rows) in pull.iter_mut().zip(&nodes).zip(&mut by_node) {
-                *p = *p + n * row.value;
-                if let Some(slot) = rows.get_mut(r) {
-                    *slot = n;
-                }
-            }
+        for (p, node) in pull.iter_mut().zip(&rows.nodes) {
+            *p = node.iter().zip(rows.values).fold(*p, |sum, (&g, value)| sum + g * value);
         }
         add_star_gradient(g, i, k, &pull);
-        add_star_blocks(s, i, k, &by_node);
+        add_star_blocks(s, i, k, &rows.nodes);
     }
 }
 
