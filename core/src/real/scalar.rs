@@ -50,11 +50,9 @@ pub trait Real:
     fn cosine(self) -> Self;
     /// `e^self` by `libm`; never in an inner loop.
     fn exponential(self) -> Self;
-    /// Solves a small symmetric positive definite system; `None` where it is not.
-    fn solve_small<const D: usize>(
-        a: SMatrix<Self, D, D>,
-        b: SVector<Self, D>,
-    ) -> Option<SVector<Self, D>>;
+    /// Solves a small symmetric positive definite system in place: `b` becomes the solution. False where it is not
+    /// positive definite.
+    fn solve_small<const D: usize>(a: &mut SMatrix<Self, D, D>, b: &mut SVector<Self, D>) -> bool;
 }
 
 #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
@@ -132,10 +130,10 @@ macro_rules! real {
                 $exp(self)
             }
             fn solve_small<const D: usize>(
-                mut a: SMatrix<Self, D, D>,
-                mut b: SVector<Self, D>,
-            ) -> Option<SVector<Self, D>> {
-                small::solve(a.as_mut_slice(), b.as_mut_slice()).then_some(b)
+                a: &mut SMatrix<Self, D, D>,
+                b: &mut SVector<Self, D>,
+            ) -> bool {
+                small::solve(a.as_mut_slice(), b.as_mut_slice())
             }
         }
     };

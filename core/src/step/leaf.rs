@@ -117,7 +117,8 @@ impl<R: Real, G: Grid> Solver<R, G> {
         }
     }
 
-    /// Eq. 4: matrix, factor, step.
+    /// Eq. 4: matrix, factor, step. A frame of its own on the stack, as the chains and the collisions have.
+    #[inline(never)]
     fn newton(
         &mut self,
         sheet: &Sheet<R, G>,

@@ -87,23 +87,16 @@ pub fn step<R: Real, const N: usize, const D: usize>(
     let Strip { x, v, pushed, offset, holding } = &*strip;
     let chain = Chain { x, v, pushed, offset, holding };
     assemble(&mut System { a: a.as_mut_slice(), b: b.as_mut_slice() }, &chain, fibre, ask);
-    let solved = R::solve_small(a, b).filter(|dx| within(dx.as_slice(), fibre.edge));
-    match solved {
-        Some(dx) => {
-            for (n, x) in strip.x.iter_mut().enumerate() {
-                let step = |c| {
-                    unknown(n, c)
-                        .map_or(R::ZERO, |row| dx.as_slice().get(row).copied().unwrap_or(R::ZERO))
-                };
-                *x = *x + V2([step(0), step(1)]);
-            }
-            true
-        }
-        None => {
-            strip.stop();
-            false
-        }
+    let solved = R::solve_small(&mut a, &mut b) && within(b.as_slice(), fibre.edge);
+    if !solved {
+        strip.stop();
+        return false;
     }
+    let (steps, _) = b.as_slice().as_chunks::<2>();
+    for (x, &step) in strip.x.iter_mut().skip(1).zip(steps) {
+        *x = *x + V2(step);
+    }
+    true
 }
 
 fn within<R: Real>(dx: &[R], edge: R) -> bool {
