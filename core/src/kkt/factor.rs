@@ -80,21 +80,30 @@ impl<R: Real, G: Grid> Factor<R, G> {
         let first = unknown::<G>(i, k, 0);
         let diagonal: [usize; 3] =
             core::array::from_fn(|c| Place::of::<G>((first + c) / LANES).entry(first + c, first));
-        for n in (0..NEIGHBOURS.len()).filter(|&n| exists::<G>(i, k, n)) {
+        let [a, b, c] = diagonal;
+        // Of the node itself only the lower triangle.
+        let [own, second, third] = s.lines(pair::SELF, i, k);
+        self.take_entry(a, own[0]);
+        self.take_entry(b, second[0]);
+        self.take_entry(b + LANES, second[1]);
+        self.take_line(c, third);
+        for n in (pair::ROW..NEIGHBOURS.len()).filter(|&n| exists::<G>(i, k, n)) {
             let (j, l) = earlier(i, k, n);
             let back = (first - unknown::<G>(j, l, 0)) * LANES;
-            let lines = s.lines(n, i, k);
-            for (c, (own, line)) in diagonal.iter().zip(lines).enumerate() {
-                // Of the node itself only the lower triangle.
-                if n != pair::SELF || c == 2 {
-                    self.take_line(own - back, line);
-                } else {
-                    self.take_pair(own - back, line, c);
-                }
-            }
+            let [x, y, z] = s.lines(n, i, k);
+            self.take_line(a - back, x);
+            self.take_line(b - back, y);
+            self.take_line(c - back, z);
         }
     }
 
+    /// One entry, at place `at`.
+    #[inline(always)]
+    fn take_entry(&mut self, at: usize, value: R) {
+        if let Some(slot) = self.panels.as_mut().get_mut(at) {
+            *slot = value;
+        }
+    }
     /// Three entries of a row, from place `at` on.
     #[inline(always)]
     fn take_line(&mut self, at: usize, line: [R; 3]) {
@@ -103,14 +112,6 @@ impl<R: Real, G: Grid> Factor<R, G> {
             for (slot, value) in slots.iter_mut().step_by(LANES).zip(line) {
                 *slot = value;
             }
-        }
-    }
-    /// The first of them, and the second where there is a column `c`.
-    #[inline(always)]
-    fn take_pair(&mut self, at: usize, line: [R; 3], c: usize) {
-        let slots = self.panels.as_mut().get_mut(at..).unwrap_or_default();
-        for (slot, value) in slots.iter_mut().step_by(LANES).zip(line).take(c + 1) {
-            *slot = value;
         }
     }
 

@@ -31,7 +31,9 @@ pub(super) fn eliminate<R: Real>(
     subtract(block, own, factors, own_later, [1, 0]);
     subtract(block, own, factors, factors_later, [0, 1]);
     subtract(block, own, factors, own_later.max(factors_later), [1, 1]);
-    times_transposed(block, inverse);
+    for r in (0..LANES).step_by(2) {
+        times_transposed(block, inverse, r);
+    }
 }
 
 /// `block = (factor of (block - own · ownᵀ))⁻¹`, row by row; how many pivots were replaced. `later` as
@@ -98,22 +100,20 @@ fn take_product<R: Real>(acc: &mut [[R; QUAD]; QUAD], rows: &[R; QUAD], factors:
     }
 }
 
-/// `block · inverseᵀ`, two rows at a time: entry `j` is `Σ_{m ≤ j} block[m] · inverse[j, m]`.
-#[inline(always)]
-fn times_transposed<R: Real>(block: &mut Block<R>, inverse: &Block<R>) {
-    for r in (0..LANES).step_by(2) {
-        let rows: [[R; 2]; LANES] =
-            core::array::from_fn(|m| [get(block, r, m), get(block, r + 1, m)]);
-        for j in 0..LANES {
-            let factors = inverse.get(j * LANES..).unwrap_or(&[]);
-            let mut sums = [R::ZERO; 2];
-            for (row, &f) in rows.iter().zip(factors).take(j + 1) {
-                sums[0] += row[0] * f;
-                sums[1] += row[1] * f;
-            }
-            set(block, r, j, sums[0]);
-            set(block, r + 1, j, sums[1]);
+/// Rows `r` and `r + 1` of `block · inverseᵀ`: entry `j` is `Σ_{m ≤ j} block[m] · inverse[j, m]`. Not inlined:
+/// the loop over the rows would keep the inverse's numbers on the stack.
+#[inline(never)]
+fn times_transposed<R: Real>(block: &mut Block<R>, inverse: &Block<R>, r: usize) {
+    let rows: [[R; 2]; LANES] = core::array::from_fn(|m| [get(block, r, m), get(block, r + 1, m)]);
+    for j in 0..LANES {
+        let factors = inverse.get(j * LANES..).unwrap_or(&[]);
+        let mut sums = [R::ZERO; 2];
+        for (row, &f) in rows.iter().zip(factors).take(j + 1) {
+            sums[0] += row[0] * f;
+            sums[1] += row[1] * f;
         }
+        set(block, r, j, sums[0]);
+        set(block, r + 1, j, sums[1]);
     }
 }
 
