@@ -29,6 +29,9 @@ const WORST: u64 = 2;
 const FEATURES: [(&str, &str); 3] =
     [("none", ""), ("seed, unused", "dogleaf-core/seed"), ("defmt, logged", "defmt")];
 
+/// As `shells/eink/.cargo/config.toml` has them.
+const FLAGS: &str = "-Ctarget-cpu=cortex-m7 -Cllvm-args=-inline-threshold=5";
+
 /// One thing that is looked at: its name, its figure, what is wanted and what is allowed.
 struct Check {
     name: &'static str,
@@ -108,12 +111,12 @@ fn looked_at(features: &str) -> std::result::Result<(Vec<Check>, Image, String),
 /// Builds the image, with features of it or of the core.
 fn build(features: &str) -> std::result::Result<PathBuf, String> {
     let folder = target_dir().join("hashes");
-    let mut c = cargo(["build", "--quiet", "--locked", "--bin", "play", "--profile", "o3"]);
+    let mut c = cargo(["build", "--quiet", "--locked", "--bin", "play", "--release"]);
     c.args(["--manifest-path", "shells/eink/Cargo.toml", "--target", BOARD, "--target-dir"]);
     c.arg(&folder).args(["--features", features]);
-    c.env("RUSTFLAGS", "-Ctarget-cpu=cortex-m7").env_remove("CARGO_ENCODED_RUSTFLAGS");
+    c.env("RUSTFLAGS", FLAGS).env_remove("CARGO_ENCODED_RUSTFLAGS");
     run(&mut c)?;
-    Ok(folder.join(BOARD).join("o3/play"))
+    Ok(folder.join(BOARD).join("release/play"))
 }
 
 /// What it says when it runs; its status is a figure of another word.
