@@ -157,12 +157,12 @@ fn invert_column<R: Real, const J: usize>(block: &mut Block<R>, entries: &[R; LA
     row[J] = R::of(1.0);
     for m in 0..J {
         let factor = get(block, J, m);
-        for c in 0..=m {
-            row[c] -= get(block, c, m) * factor;
+        for (c, v) in row.iter_mut().enumerate().take(m + 1) {
+            *v -= get(block, c, m) * factor;
         }
     }
-    for c in 0..=J {
-        set(block, c, J, row[c] * scale);
+    for (c, &v) in row.iter().enumerate().take(J + 1) {
+        set(block, c, J, v * scale);
     }
     u32::from(bad)
 }

@@ -50,7 +50,8 @@ fn column<R: Real>(a: &mut [R], n: usize, j: usize) -> bool {
         take(own, earlier.get(j..).unwrap_or(&[]), factor);
     }
     let Some((pivot, below)) = own.split_first_mut() else { return false };
-    if !(*pivot > R::ZERO) {
+    let positive = *pivot > R::ZERO;
+    if !positive {
         return false;
     }
     *pivot = pivot.root();

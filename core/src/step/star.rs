@@ -2,7 +2,7 @@
 
 use crate::constraint::dog::Star;
 use crate::grid::Grid;
-use crate::real::{Num, Real, V3};
+use crate::real::{Real, V3};
 use crate::state::Field;
 
 /// The stars of column `i`: centre and neighbours `x⁺, z⁺, x⁻, z⁻`.
