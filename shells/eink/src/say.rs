@@ -26,6 +26,7 @@ impl Line {
 
     /// Adds one byte.
     #[must_use]
+    #[inline(never)]
     pub fn byte(mut self, byte: u8) -> Self {
         if let Some(place) = self.bytes.get_mut(self.length) {
             *place = byte;
@@ -36,12 +37,14 @@ impl Line {
 
     /// Adds words.
     #[must_use]
+    #[inline(never)]
     pub fn text(self, text: &str) -> Self {
         text.bytes().fold(self, Self::byte)
     }
 
     /// Adds a number, in decimal digits.
     #[must_use]
+    #[inline(never)]
     pub fn number(mut self, number: u32) -> Self {
         let mut power = 1_000_000_000;
         let mut begun = false;
@@ -58,6 +61,7 @@ impl Line {
 
     /// Adds a hash, in sixteen hexadecimal digits.
     #[must_use]
+    #[inline(never)]
     pub fn hash(mut self, hash: u64) -> Self {
         for place in (0..16).rev() {
             let digit = (hash >> (4 * place)) as u8 & 15;
