@@ -393,3 +393,86 @@ fn a_display_that_is_a_little_off_does_not_stutter() {
         assert!(uneven <= 2, "{uneven} uneven pictures of {frame} µs");
     }
 }
+
+/// A finger at the middle of the fore-edge, then so many page widths inwards in so many milliseconds, and so on.
+fn flick(setup: &Setup, ways: &[(f64, u64)]) -> Vec<Sample> {
+    let view = setup.view;
+    let (x0, page) = (f64::from(view.width_px) * 0.80, f64::from(view.width_px) * 0.33);
+    let y = (f64::from(view.height_px) * 0.55 * 256.0) as i32;
+    let at = |t_us: u64, phase, share: f64| {
+        let x = ((x0 - share * page) * 256.0) as i32;
+        Sample { t_us: START_US + t_us, id: 0, phase, x, y, leaves: 0 }
+    };
+    let (mut t, mut share) = (50_000, 0.0);
+    let mut samples = vec![at(t, Phase::Down, 0.0)];
+    for &(to, ms) in ways {
+        let steps = (ms / 4).max(1);
+        for n in 1..=steps {
+            let s = share + (to - share) * n as f64 / steps as f64;
+            samples.push(at(t + 4000 * n, Phase::Move, s));
+        }
+        (t, share) = (t + 4000 * steps, to);
+    }
+    samples.push(at(t + 1000, Phase::Up, share));
+    samples
+}
+
+#[test]
+fn what_a_release_means() {
+    let setup = setup();
+    let pages = |ways: &[(f64, u64)]| {
+        let (read, seen) = played(Motion::FULL, &flick(&setup, ways));
+        assert_eq!(seen.ends()[0], seen.ends()[1] + seen.ends()[2], "each lifting ends once");
+        read.page() - 20
+    };
+    assert_eq!(pages(&[(0.3, 120)]), 2, "a flick turns");
+    assert_eq!(pages(&[(0.015, 20)]), 0, "a fast tiny twitch does not");
+    assert_eq!(pages(&[(0.3, 400), (0.12, 80)]), 0, "the finger's way back cancels");
+    assert_eq!(
+        pages(&[(0.3, 120), (0.3, 400)]),
+        0,
+        "what counts is the speed at the end: it stopped"
+    );
+    assert_eq!(pages(&[(0.1, 800), (0.35, 100)]), 2, "or got fast at last");
+    assert_eq!(pages(&[(1.75, 900)]), 2, "slowly, but over the spine");
+}
+
+/// An app that was busy hands over everything at once: the leaf catches up with the finger.
+#[test]
+fn buffered_samples_are_caught_up() {
+    let setup = setup();
+    let samples = flick(&setup, &[(0.4, 200)]);
+    let mut read = open(&setup);
+    for s in &samples[..samples.len() - 1] {
+        read.pointer(*s, &mut ()).expect("room");
+    }
+    let now = samples.last().expect("one").t_us;
+    let mut frames = 0;
+    for n in 0..20 {
+        let _ = read.step(now + n * FRAME_US, &mut ());
+        frames += 1;
+        let (paper, inside) = read.book().touched().expect("held");
+        let seen = read.book().camera().project(paper).expect("before the eye");
+        let finger = samples[samples.len() - 2];
+        let off = (seen[0] - finger.x as f32 / 256.0).hypot(seen[1] - finger.y as f32 / 256.0);
+        if inside && off < 1.5 {
+            break;
+        }
+    }
+    assert!(frames <= 16, "{frames} frames until the paper is under the finger");
+}
+
+#[test]
+fn every_shape_of_page_turns() {
+    for aspect in [0.5, 0.7, 1.0, 1.4, 2.0, 4.0] {
+        let mut setup = setup();
+        setup.book.height_m = setup.book.width_m * aspect;
+        setup.view = View::reading(setup.book.width_m, setup.book.height_m, 960, 720);
+        for seed in 0..4 {
+            let mut read = open(&setup);
+            let mut seen = Seen::default();
+            let _ = run(&mut read, &turn(&setup, seed), &mut seen, START_US);
+            assert_eq!(seen.ends(), [1, 1, 0], "height {aspect} times the width, gesture {seed}");
+        }
+    }
+}
