@@ -210,9 +210,13 @@ vec3 printed(vec2 dx, vec2 dy) {
     float taps = max(ceil(min(min(l / s, 8.0), max(l, 1.0)) - 0.4), 1.0);
     float level = max(log2(max(max(l / taps, min(s, l)), 1e-6)) - 0.35, 0.0);
     vec2 at = pagePlace - way * (0.5 * (taps - 1.0) / taps);
+    // Two levels are blended as light; what is close to one reads only that one.
+    float fine = floor(level);
+    float blend = clamp((level - fine - 0.2) / 0.6, 0.0, 1.0);
     vec3 sum = vec3(0.0);
     for (float i = 0.0; i < taps; i += 1.0) {
-        sum += decoded(textureLod(front, at, level).rgb);
+        vec3 near = decoded(textureLod(front, at, fine).rgb);
+        sum += blend > 0.0 ? mix(near, decoded(textureLod(front, at, fine + 1.0).rgb), blend) : near;
         at += way / taps;
     }
     return sum / taps;
