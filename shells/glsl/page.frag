@@ -134,8 +134,15 @@ float lampShare(vec3 face, vec3 towards, bool behind) {
     }
     float inside = 1.0 - 2.0 / LAMP_SIDE;
     float sum = 0.0;
-    for (int i = 0; i < LAMP_MAPS; i++) {
+    float asked = 0.0;
+    for (int k = 0; k < LAMP_MAPS; k++) {
+        // Six points from all over the disc come first. Where they agree there is no penumbra.
+        if (k == 6 && (sum == 0.0 || sum == 6.0)) {
+            break;
+        }
+        int i = k * 3 % LAMP_MAPS;
         vec2 at = (middle + DISC[i] * spread) / view.extent;
+        asked += 1.0;
         if (max(abs(at.x), abs(at.y)) < inside) {
             vec2 tile = vec2(float(i % LAMP_ACROSS), float(i / LAMP_ACROSS));
             vec2 place = (tile + 0.5 + 0.5 * at) / float(LAMP_ACROSS);
@@ -144,7 +151,7 @@ float lampShare(vec3 face, vec3 towards, bool behind) {
             sum += 1.0;
         }
     }
-    float share = sum / float(LAMP_MAPS);
+    float share = sum / asked;
     // The first and the last point would each draw a line along the penumbra's ends.
     return share * share * (3.0 - 2.0 * share);
 }
@@ -166,7 +173,12 @@ vec2 skyShare(vec3 normal, vec3 face) {
     vec4 lit = vec4(0.0);
     vec4 behind = vec4(0.0);
     float inside = 1.0 - 2.0 / SKY_SIDE;
-    for (int i = 0; i < SKY_MAPS; i++) {
+    for (int k = 0; k < SKY_MAPS; k++) {
+        // Eight directions from all over the sky come first. Where all of them are open, so is the sky.
+        if (k == 8 && lit.w + behind.w == lit.z + behind.z) {
+            return vec2(1.0);
+        }
+        int i = k * 4 % SKY_MAPS + k / 8;
         float slant = dot(normal, SKY[i].xyz);
         bool faces = slant > 0.0;
         if (!faces && passing <= 0.0) {
