@@ -4,7 +4,6 @@ use std::path::Path;
 use std::process::Command;
 
 use crate::shell::{apt_install, cargo, command, output, run, run_counting, succeeds, target_dir};
-use crate::tally::Tally;
 use crate::tools;
 use crate::words::{Result, Stop, no_args};
 

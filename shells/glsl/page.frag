@@ -173,12 +173,7 @@ vec2 skyShare(vec3 normal, vec3 face) {
     vec4 lit = vec4(0.0);
     vec4 behind = vec4(0.0);
     float inside = 1.0 - 2.0 / SKY_SIDE;
-    for (int k = 0; k < SKY_MAPS; k++) {
-        // Eight directions from all over the sky come first. Where all of them are open, so is the sky.
-        if (k == 8 && lit.w + behind.w == lit.z + behind.z) {
-            return vec2(1.0);
-        }
-        int i = k * 4 % SKY_MAPS + k / 8;
+    for (int i = 0; i < SKY_MAPS; i++) {
         float slant = dot(normal, SKY[i].xyz);
         bool faces = slant > 0.0;
         if (!faces && passing <= 0.0) {
