@@ -38,11 +38,7 @@ const SWIFT: [&str; 4] = ["--profile", "swift", "-p", PACKAGE];
 /// `cargo ci desktop`.
 pub(crate) fn desktop(args: &[String]) -> Result {
     no_args(args)?;
-    let missing = missing();
-    if !missing.is_empty() && !(apt_install(&DEBIAN) && self::missing().is_empty()) {
-        let packages = DEBIAN.join(" ");
-        return Err(Stop::Skipped(format!("{} missing: install {packages}", missing.join(", "))));
-    }
+    install().map_err(Stop::Skipped)?;
     let (tested, tally) = run_counting(&mut on_screen(&["test"], &["--", "--include-ignored"]));
     tested.map_err(|why| Stop::Failed(why, tally))?;
     let failed = |why| Stop::Failed(why, tally);
@@ -50,6 +46,14 @@ pub(crate) fn desktop(args: &[String]) -> Result {
     let mut check = android().map_err(Stop::Skipped)?;
     run(&mut check).map_err(failed)?;
     Ok(tally)
+}
+
+/// Makes sure that everything is there.
+fn install() -> std::result::Result<(), String> {
+    if missing().is_empty() || (apt_install(&DEBIAN) && missing().is_empty()) {
+        return Ok(());
+    }
+    Err(format!("{} missing: install {}", missing().join(", "), DEBIAN.join(" ")))
 }
 
 /// What is not on this machine.

@@ -14,9 +14,8 @@ type Paper = Reading<f32, G11x8>;
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut paper = Box::new(Paper::EMPTY);
     open(&mut paper)?;
-    // Once: upload the indices.
     let mut indices = vec![0_u16; Shape::<G11x8>::INDICES];
-    Paper::indices(&mut indices)?;
+    Paper::indices(&mut indices)?; // Once: upload them.
     let mut vertices = vec![Vertex::default(); Shape::<G11x8>::VERTICES];
 
     // Your platform's pointer events, in its own clock, in 1/256 pixel of the view.
@@ -43,6 +42,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         while let Some(notice) = paper.take_notice() {
             match notice {
                 Notice::Committed { page } => println!("the book is open at {page}: keep it"),
+                Notice::Cancelled => println!("the leaf was put back"),
                 _ => {}
             }
         }

@@ -168,8 +168,11 @@ impl BookView {
     /// Hands over a sample. One the book refuses is lost; the next makes it good.
     pub fn pointer(&mut self, sample: Sample) {
         if sample.id == MOUSE {
-            self.pressed = matches!(sample.phase, Phase::Down | Phase::Move) && self.pressed
-                || sample.phase == Phase::Down;
+            self.pressed = match sample.phase {
+                Phase::Down => true,
+                Phase::Move => self.pressed,
+                Phase::Up | Phase::Cancel => false,
+            };
         }
         let _ = self.reading.pointer(sample, &mut self.recorder);
     }
@@ -294,12 +297,22 @@ impl BookView {
         &self.vertices
     }
 
-    /// Makes sure that the renderer has what is seen, orders what may be seen next, gives back the rest.
-    fn show(&mut self, renderer: &mut BookRenderer, pieces: &[Piece]) -> Result<(), DesktopError> {
-        let (page, pages) = (self.reading.page(), &mut self.pages);
-        while let Some((page, made)) = pages.take() {
+    /// Hands over the pictures of pages that were made meanwhile; best while nothing moves.
+    ///
+    /// # Errors
+    ///
+    /// The card is full.
+    pub fn receive(&mut self, renderer: &mut BookRenderer) -> Result<(), DesktopError> {
+        while let Some((page, made)) = self.pages.take() {
             renderer.set_page(page, [made.width, made.height], &made.rgba)?;
         }
+        Ok(())
+    }
+
+    /// Makes sure that the renderer has what is seen, orders what may be seen next, gives back the rest.
+    fn show(&mut self, renderer: &mut BookRenderer, pieces: &[Piece]) -> Result<(), DesktopError> {
+        self.receive(renderer)?;
+        let (page, pages) = (self.reading.page(), &mut self.pages);
         let seen: Vec<u32> = renderer::pages(pieces).filter(|page| pages.has(*page)).collect();
         for page in seen.iter().copied() {
             if !renderer.has_page(page) {

@@ -94,6 +94,7 @@ impl ApplicationHandler<Ready> for App {
             self.check(events, opened);
         }
         self.view.pause(false);
+        self.ask();
     }
 
     fn suspended(&mut self, _: &ActiveEventLoop) {
@@ -107,7 +108,13 @@ impl ApplicationHandler<Ready> for App {
         }
     }
 
-    fn user_event(&mut self, _: &ActiveEventLoop, _: Ready) {}
+    fn user_event(&mut self, events: &ActiveEventLoop, _: Ready) {
+        // Before a turn needs them: a frame has no time for it.
+        if let Some(Drawing { renderer, .. }) = &mut self.drawing {
+            let received = self.view.receive(renderer);
+            self.check(events, received);
+        }
+    }
 
     fn window_event(&mut self, events: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
         match event {
@@ -132,6 +139,8 @@ impl ApplicationHandler<Ready> for App {
             WindowEvent::MouseWheel { delta, .. } if self.held.shift_key() => {
                 self.view.bookmark(keys::rolls_on(delta), self.now_us());
             }
+            // Whoever looks elsewhere has let go.
+            WindowEvent::Focused(false) => _ = self.view.put_back(self.now_us()),
             WindowEvent::Touch(touch) => self.touch(touch),
             WindowEvent::KeyboardInput { event, .. } if event.state == ElementState::Pressed => {
                 let wish =
