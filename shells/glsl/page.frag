@@ -287,8 +287,8 @@ vec3 wood(float pixel) {
 // Compresses what is brighter than the knee, so that nothing clips hard.
 float shoulder(float light) {
     const float KNEE = 0.72;
-    float room = 1.0 - KNEE;
-    return light <= KNEE ? max(light, 0.0) : KNEE + room * (1.0 - exp((KNEE - light) / room));
+    float above = 1.0 - KNEE;
+    return light <= KNEE ? max(light, 0.0) : KNEE + above * (1.0 - exp((KNEE - light) / above));
 }
 
 float byteOf(float light) {
