@@ -6,7 +6,7 @@ use crate::tally::Tally;
 use crate::words::{self, Result, Stop, no_args};
 
 /// Cheap words first; then in the order in which they can use each other's builds.
-const ORDER: [&[&str]; 13] = [
+const ORDER: [&[&str]; 14] = [
     &["fmt", "--check"],
     &["tree"],
     &["slots", "--check"],
@@ -20,6 +20,7 @@ const ORDER: [&[&str]; 13] = [
     &["size"],
     &["wasm"],
     &["fuzz"],
+    &["desktop"],
 ];
 
 /// `cargo ci all`. A word counts as one, and each test that it ran as one more.

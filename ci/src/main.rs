@@ -4,6 +4,7 @@
 
 mod all;
 mod bans;
+mod desktop;
 mod fuzz;
 mod hashes;
 mod no_std;

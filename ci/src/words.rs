@@ -3,7 +3,9 @@
 use std::fmt::Write as _;
 
 use crate::tally::Tally;
-use crate::{all, fuzz, hashes, no_std, peers, seed_slots, size, slots, style, tests, tree};
+use crate::{
+    all, desktop, fuzz, hashes, no_std, peers, seed_slots, size, slots, style, tests, tree,
+};
 
 /// Why a word did not pass.
 #[derive(Debug)]
@@ -108,6 +110,12 @@ const WORDS: &[Word] = &[
         args: "",
         about: "orders of convergence, the golden table of costs, a quick report",
         run: tests::cost,
+    },
+    Word {
+        name: "desktop",
+        args: "",
+        about: "the desktop shell: its pictures against the reference, a window, the check for Android",
+        run: desktop::desktop,
     },
     Word {
         name: "peers",
