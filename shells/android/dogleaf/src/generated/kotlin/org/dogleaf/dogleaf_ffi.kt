@@ -344,7 +344,7 @@ internal inline fun<T, reified E: Throwable> uniffiTraitInterfaceCallWithError(
         }
     }
 }
-// Initial value and increment amount for handles. 
+// Initial value and increment amount for handles.
 // These ensure that Kotlin-generated handles always have the lowest bit set
 private const val UNIFFI_HANDLEMAP_INITIAL = 1.toLong()
 private const val UNIFFI_HANDLEMAP_DELTA = 2.toLong()
@@ -354,7 +354,7 @@ private const val UNIFFI_HANDLEMAP_DELTA = 2.toLong()
 // This is used pass an opaque 64-bit handle representing a foreign object to the Rust code.
 internal class UniffiHandleMap<T: Any> {
     private val map = ConcurrentHashMap<Long, T>()
-    // Start 
+    // Start
     private val counter = java.util.concurrent.atomic.AtomicLong(UNIFFI_HANDLEMAP_INITIAL)
 
     val size: Int
@@ -744,100 +744,100 @@ internal object IntegrityCheckingUniffiLib {
     external fun ffi_dogleaf_ffi_uniffi_contract_version(
     ): Int
 
-        
+
 }
 
 internal object UniffiLib {
-    
+
     // The Cleaner for the whole library
     internal val CLEANER: UniffiCleaner by lazy {
         UniffiCleaner.create()
     }
-    
+
 
     init {
         Native.register(UniffiLib::class.java, findLibraryName(componentName = "dogleaf_ffi"))
-        
+
     }
 
     internal fun ensureInitialized() = Unit
-    external fun uniffi_dogleaf_ffi_fn_clone_book(`handle`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_clone_book(`handle`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Long
-    external fun uniffi_dogleaf_ffi_fn_free_book(`handle`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_free_book(`handle`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Unit
-    external fun uniffi_dogleaf_ffi_fn_constructor_book_from_snapshot(`bytes`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_constructor_book_from_snapshot(`bytes`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus,
     ): Long
-    external fun uniffi_dogleaf_ffi_fn_constructor_book_open(`options`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_constructor_book_open(`options`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus,
     ): Long
-    external fun uniffi_dogleaf_ffi_fn_method_book_frame_words(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_method_book_frame_words(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): RustBuffer.ByValue
-    external fun uniffi_dogleaf_ffi_fn_method_book_indices(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_method_book_indices(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): RustBuffer.ByValue
-    external fun uniffi_dogleaf_ffi_fn_method_book_is_sleeping(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_method_book_is_sleeping(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Byte
-    external fun uniffi_dogleaf_ffi_fn_method_book_look(`ptr`: Long,`gaze`: RustBuffer.ByValue,`widthPx`: Int,`heightPx`: Int,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_method_book_look(`ptr`: Long,`gaze`: RustBuffer.ByValue,`widthPx`: Int,`heightPx`: Int,uniffi_out_err: UniffiRustCallStatus,
     ): Unit
-    external fun uniffi_dogleaf_ffi_fn_method_book_mesh(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_method_book_mesh(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): RustBuffer.ByValue
-    external fun uniffi_dogleaf_ffi_fn_method_book_motion(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_method_book_motion(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): RustBuffer.ByValue
-    external fun uniffi_dogleaf_ffi_fn_method_book_needs_frame(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_method_book_needs_frame(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Byte
-    external fun uniffi_dogleaf_ffi_fn_method_book_notices(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_method_book_notices(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): RustBuffer.ByValue
-    external fun uniffi_dogleaf_ffi_fn_method_book_page(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_method_book_page(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Int
-    external fun uniffi_dogleaf_ffi_fn_method_book_pages(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_method_book_pages(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Int
-    external fun uniffi_dogleaf_ffi_fn_method_book_pause(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_method_book_pause(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Unit
-    external fun uniffi_dogleaf_ffi_fn_method_book_pieces(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_method_book_pieces(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): RustBuffer.ByValue
-    external fun uniffi_dogleaf_ffi_fn_method_book_pointer(`ptr`: Long,`sample`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_method_book_pointer(`ptr`: Long,`sample`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus,
     ): Unit
-    external fun uniffi_dogleaf_ffi_fn_method_book_pointers(`ptr`: Long,`samples`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_method_book_pointers(`ptr`: Long,`samples`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus,
     ): Unit
-    external fun uniffi_dogleaf_ffi_fn_method_book_progress(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_method_book_progress(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Double
-    external fun uniffi_dogleaf_ffi_fn_method_book_redraw(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_method_book_redraw(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Unit
-    external fun uniffi_dogleaf_ffi_fn_method_book_resize(`ptr`: Long,`widthPx`: Int,`heightPx`: Int,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_method_book_resize(`ptr`: Long,`widthPx`: Int,`heightPx`: Int,uniffi_out_err: UniffiRustCallStatus,
     ): Unit
-    external fun uniffi_dogleaf_ffi_fn_method_book_restore(`ptr`: Long,`bytes`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_method_book_restore(`ptr`: Long,`bytes`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus,
     ): Unit
-    external fun uniffi_dogleaf_ffi_fn_method_book_resume(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_method_book_resume(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Unit
-    external fun uniffi_dogleaf_ffi_fn_method_book_set_motion(`ptr`: Long,`motion`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_method_book_set_motion(`ptr`: Long,`motion`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus,
     ): Unit
-    external fun uniffi_dogleaf_ffi_fn_method_book_shut(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_method_book_shut(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Unit
-    external fun uniffi_dogleaf_ffi_fn_method_book_skip(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_method_book_skip(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Unit
-    external fun uniffi_dogleaf_ffi_fn_method_book_snapshot(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_method_book_snapshot(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): RustBuffer.ByValue
-    external fun uniffi_dogleaf_ffi_fn_method_book_stage(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_method_book_stage(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): RustBuffer.ByValue
-    external fun uniffi_dogleaf_ffi_fn_method_book_start_recording(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_method_book_start_recording(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Unit
-    external fun uniffi_dogleaf_ffi_fn_method_book_state_hash(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_method_book_state_hash(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Long
-    external fun uniffi_dogleaf_ffi_fn_method_book_step(`ptr`: Long,`nowUs`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_method_book_step(`ptr`: Long,`nowUs`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): RustBuffer.ByValue
-    external fun uniffi_dogleaf_ffi_fn_method_book_stop_recording(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_method_book_stop_recording(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): RustBuffer.ByValue
-    external fun uniffi_dogleaf_ffi_fn_method_book_turn(`ptr`: Long,`forward`: Byte,`leaves`: Short,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_method_book_turn(`ptr`: Long,`forward`: Byte,`leaves`: Short,uniffi_out_err: UniffiRustCallStatus,
     ): Unit
-    external fun uniffi_dogleaf_ffi_fn_func_version(uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_func_version(uniffi_out_err: UniffiRustCallStatus,
     ): RustBuffer.ByValue
-    external fun uniffi_dogleaf_ffi_fn_func_book_options(`pages`: Int,`widthPx`: Int,`heightPx`: Int,uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_dogleaf_ffi_fn_func_book_options(`pages`: Int,`widthPx`: Int,`heightPx`: Int,uniffi_out_err: UniffiRustCallStatus,
     ): RustBuffer.ByValue
-    external fun ffi_dogleaf_ffi_rustbuffer_alloc(`size`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun ffi_dogleaf_ffi_rustbuffer_alloc(`size`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): RustBuffer.ByValue
-    external fun ffi_dogleaf_ffi_rustbuffer_from_bytes(`bytes`: ForeignBytes.ByValue,uniffi_out_err: UniffiRustCallStatus, 
+    external fun ffi_dogleaf_ffi_rustbuffer_from_bytes(`bytes`: ForeignBytes.ByValue,uniffi_out_err: UniffiRustCallStatus,
     ): RustBuffer.ByValue
-    external fun ffi_dogleaf_ffi_rustbuffer_free(`buf`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
+    external fun ffi_dogleaf_ffi_rustbuffer_free(`buf`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus,
     ): Unit
-    external fun ffi_dogleaf_ffi_rustbuffer_reserve(`buf`: RustBuffer.ByValue,`additional`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun ffi_dogleaf_ffi_rustbuffer_reserve(`buf`: RustBuffer.ByValue,`additional`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): RustBuffer.ByValue
     external fun ffi_dogleaf_ffi_rust_future_poll_u8(`handle`: Long,`callback`: UniffiRustFutureContinuationCallback,`callbackData`: Long,
     ): Unit
@@ -845,7 +845,7 @@ internal object UniffiLib {
     ): Unit
     external fun ffi_dogleaf_ffi_rust_future_free_u8(`handle`: Long,
     ): Unit
-    external fun ffi_dogleaf_ffi_rust_future_complete_u8(`handle`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun ffi_dogleaf_ffi_rust_future_complete_u8(`handle`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Int
     external fun ffi_dogleaf_ffi_rust_future_poll_i8(`handle`: Long,`callback`: UniffiRustFutureContinuationCallback,`callbackData`: Long,
     ): Unit
@@ -853,7 +853,7 @@ internal object UniffiLib {
     ): Unit
     external fun ffi_dogleaf_ffi_rust_future_free_i8(`handle`: Long,
     ): Unit
-    external fun ffi_dogleaf_ffi_rust_future_complete_i8(`handle`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun ffi_dogleaf_ffi_rust_future_complete_i8(`handle`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Byte
     external fun ffi_dogleaf_ffi_rust_future_poll_u16(`handle`: Long,`callback`: UniffiRustFutureContinuationCallback,`callbackData`: Long,
     ): Unit
@@ -861,7 +861,7 @@ internal object UniffiLib {
     ): Unit
     external fun ffi_dogleaf_ffi_rust_future_free_u16(`handle`: Long,
     ): Unit
-    external fun ffi_dogleaf_ffi_rust_future_complete_u16(`handle`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun ffi_dogleaf_ffi_rust_future_complete_u16(`handle`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Int
     external fun ffi_dogleaf_ffi_rust_future_poll_i16(`handle`: Long,`callback`: UniffiRustFutureContinuationCallback,`callbackData`: Long,
     ): Unit
@@ -869,7 +869,7 @@ internal object UniffiLib {
     ): Unit
     external fun ffi_dogleaf_ffi_rust_future_free_i16(`handle`: Long,
     ): Unit
-    external fun ffi_dogleaf_ffi_rust_future_complete_i16(`handle`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun ffi_dogleaf_ffi_rust_future_complete_i16(`handle`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Short
     external fun ffi_dogleaf_ffi_rust_future_poll_u32(`handle`: Long,`callback`: UniffiRustFutureContinuationCallback,`callbackData`: Long,
     ): Unit
@@ -877,7 +877,7 @@ internal object UniffiLib {
     ): Unit
     external fun ffi_dogleaf_ffi_rust_future_free_u32(`handle`: Long,
     ): Unit
-    external fun ffi_dogleaf_ffi_rust_future_complete_u32(`handle`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun ffi_dogleaf_ffi_rust_future_complete_u32(`handle`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Int
     external fun ffi_dogleaf_ffi_rust_future_poll_i32(`handle`: Long,`callback`: UniffiRustFutureContinuationCallback,`callbackData`: Long,
     ): Unit
@@ -885,7 +885,7 @@ internal object UniffiLib {
     ): Unit
     external fun ffi_dogleaf_ffi_rust_future_free_i32(`handle`: Long,
     ): Unit
-    external fun ffi_dogleaf_ffi_rust_future_complete_i32(`handle`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun ffi_dogleaf_ffi_rust_future_complete_i32(`handle`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Int
     external fun ffi_dogleaf_ffi_rust_future_poll_u64(`handle`: Long,`callback`: UniffiRustFutureContinuationCallback,`callbackData`: Long,
     ): Unit
@@ -893,7 +893,7 @@ internal object UniffiLib {
     ): Unit
     external fun ffi_dogleaf_ffi_rust_future_free_u64(`handle`: Long,
     ): Unit
-    external fun ffi_dogleaf_ffi_rust_future_complete_u64(`handle`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun ffi_dogleaf_ffi_rust_future_complete_u64(`handle`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Long
     external fun ffi_dogleaf_ffi_rust_future_poll_i64(`handle`: Long,`callback`: UniffiRustFutureContinuationCallback,`callbackData`: Long,
     ): Unit
@@ -901,7 +901,7 @@ internal object UniffiLib {
     ): Unit
     external fun ffi_dogleaf_ffi_rust_future_free_i64(`handle`: Long,
     ): Unit
-    external fun ffi_dogleaf_ffi_rust_future_complete_i64(`handle`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun ffi_dogleaf_ffi_rust_future_complete_i64(`handle`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Long
     external fun ffi_dogleaf_ffi_rust_future_poll_f32(`handle`: Long,`callback`: UniffiRustFutureContinuationCallback,`callbackData`: Long,
     ): Unit
@@ -909,7 +909,7 @@ internal object UniffiLib {
     ): Unit
     external fun ffi_dogleaf_ffi_rust_future_free_f32(`handle`: Long,
     ): Unit
-    external fun ffi_dogleaf_ffi_rust_future_complete_f32(`handle`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun ffi_dogleaf_ffi_rust_future_complete_f32(`handle`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Float
     external fun ffi_dogleaf_ffi_rust_future_poll_f64(`handle`: Long,`callback`: UniffiRustFutureContinuationCallback,`callbackData`: Long,
     ): Unit
@@ -917,7 +917,7 @@ internal object UniffiLib {
     ): Unit
     external fun ffi_dogleaf_ffi_rust_future_free_f64(`handle`: Long,
     ): Unit
-    external fun ffi_dogleaf_ffi_rust_future_complete_f64(`handle`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun ffi_dogleaf_ffi_rust_future_complete_f64(`handle`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Double
     external fun ffi_dogleaf_ffi_rust_future_poll_rust_buffer(`handle`: Long,`callback`: UniffiRustFutureContinuationCallback,`callbackData`: Long,
     ): Unit
@@ -925,7 +925,7 @@ internal object UniffiLib {
     ): Unit
     external fun ffi_dogleaf_ffi_rust_future_free_rust_buffer(`handle`: Long,
     ): Unit
-    external fun ffi_dogleaf_ffi_rust_future_complete_rust_buffer(`handle`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun ffi_dogleaf_ffi_rust_future_complete_rust_buffer(`handle`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): RustBuffer.ByValue
     external fun ffi_dogleaf_ffi_rust_future_poll_void(`handle`: Long,`callback`: UniffiRustFutureContinuationCallback,`callbackData`: Long,
     ): Unit
@@ -933,10 +933,10 @@ internal object UniffiLib {
     ): Unit
     external fun ffi_dogleaf_ffi_rust_future_free_void(`handle`: Long,
     ): Unit
-    external fun ffi_dogleaf_ffi_rust_future_complete_void(`handle`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    external fun ffi_dogleaf_ffi_rust_future_complete_void(`handle`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Unit
 
-        
+
 }
 
 private fun uniffiCheckContractApiVersion(lib: IntegrityCheckingUniffiLib) {
@@ -1124,7 +1124,7 @@ inline fun <T : Disposable?, R> T.use(block: (T) -> R) =
         }
     }
 
-/** 
+/**
  * Placeholder object used to signal that we're constructing an interface with a FFI handle.
  *
  * This is the first argument for interface constructors that input a raw handle. It exists is that
@@ -1135,7 +1135,7 @@ inline fun <T : Disposable?, R> T.use(block: (T) -> R) =
  * */
 object UniffiWithHandle
 
-/** 
+/**
  * Used to instantiate an interface without an actual pointer, for fakes in tests, mostly.
  *
  * @suppress
@@ -1554,7 +1554,7 @@ public object FfiConverterByteArray: FfiConverterRustBuffer<ByteArray> {
  * refused with `Closed`, also one that waits on another thread.
  */
 public interface BookInterface {
-    
+
     /**
      * Where the frame loop's words lie, for a shell that steps without objects: see the Kotlin shell's `Frames`.
      *
@@ -1563,7 +1563,7 @@ public interface BookInterface {
      * `Closed`.
      */
     fun `frameWords`(): FrameWords
-    
+
     /**
      * Where the indices lie, and they never change.
      *
@@ -1572,7 +1572,7 @@ public interface BookInterface {
      * `Closed`.
      */
     fun `indices`(): IndexView
-    
+
     /**
      * Whether everything is at rest.
      *
@@ -1581,7 +1581,7 @@ public interface BookInterface {
      * `Closed`.
      */
     fun `isSleeping`(): kotlin.Boolean
-    
+
     /**
      * Looks from elsewhere, in a view of this size.
      *
@@ -1590,7 +1590,7 @@ public interface BookInterface {
      * `Refused`: a view without pixels, or above 16,384; `Closed`.
      */
     fun `look`(`gaze`: Gaze, `widthPx`: kotlin.UInt, `heightPx`: kotlin.UInt)
-    
+
     /**
      * Where the vertices lie. Once is enough: the address never changes.
      *
@@ -1599,7 +1599,7 @@ public interface BookInterface {
      * `Closed`.
      */
     fun `mesh`(): MeshView
-    
+
     /**
      * What moves, and for how long at most.
      *
@@ -1608,7 +1608,7 @@ public interface BookInterface {
      * `Closed`.
      */
     fun `motion`(): Motion
-    
+
     /**
      * Whether the app has to call `step` again. False while everything is at rest or paused.
      *
@@ -1617,7 +1617,7 @@ public interface BookInterface {
      * `Closed`.
      */
     fun `needsFrame`(): kotlin.Boolean
-    
+
     /**
      * All notices waiting, oldest first.
      *
@@ -1626,7 +1626,7 @@ public interface BookInterface {
      * `Closed`.
      */
     fun `notices`(): List<Notice>
-    
+
     /**
      * Page the book is open at.
      *
@@ -1635,7 +1635,7 @@ public interface BookInterface {
      * `Closed`.
      */
     fun `page`(): kotlin.UInt
-    
+
     /**
      * Pages of the book.
      *
@@ -1644,7 +1644,7 @@ public interface BookInterface {
      * `Closed`.
      */
     fun `pages`(): kotlin.UInt
-    
+
     /**
      * The app goes into the background: fingers are taken away, the leaf comes to rest.
      *
@@ -1653,7 +1653,7 @@ public interface BookInterface {
      * `Closed`.
      */
     fun `pause`()
-    
+
     /**
      * What the mesh is made of. Ask again when `pieces_generation` moved.
      *
@@ -1662,7 +1662,7 @@ public interface BookInterface {
      * `Closed`.
      */
     fun `pieces`(): List<Piece>
-    
+
     /**
      * Takes a pointer sample. A paused book takes none and says nothing.
      *
@@ -1671,7 +1671,7 @@ public interface BookInterface {
      * `Pointer`, `Closed`.
      */
     fun `pointer`(`sample`: PointerSample)
-    
+
     /**
      * Takes a batch of pointer samples, oldest first: what the system collected since the last frame.
      *
@@ -1680,7 +1680,7 @@ public interface BookInterface {
      * `Pointer` at the first bad one, those before it were taken; `Closed`.
      */
     fun `pointers`(`samples`: List<PointerSample>)
-    
+
     /**
      * Share of the book that is read, 0 to 1: what the two fore-edges show.
      *
@@ -1689,7 +1689,7 @@ public interface BookInterface {
      * `Closed`.
      */
     fun `progress`(): kotlin.Double
-    
+
     /**
      * The picture the app has is lost (a GL context, say): the next `step` asks to draw.
      *
@@ -1698,7 +1698,7 @@ public interface BookInterface {
      * `Closed`.
      */
     fun `redraw`()
-    
+
     /**
      * The view has another size.
      *
@@ -1707,7 +1707,7 @@ public interface BookInterface {
      * As `look`.
      */
     fun `resize`(`widthPx`: kotlin.UInt, `heightPx`: kotlin.UInt)
-    
+
     /**
      * Opens the book of a snapshot in place of this one; a recording under way is dropped.
      *
@@ -1716,7 +1716,7 @@ public interface BookInterface {
      * `Recording`: these bytes are no snapshot of this version, and nothing was changed; `Closed`.
      */
     fun `restore`(`bytes`: kotlin.ByteArray)
-    
+
     /**
      * The app is back. Time that passed meanwhile does not count.
      *
@@ -1725,7 +1725,7 @@ public interface BookInterface {
      * `Closed`.
      */
     fun `resume`()
-    
+
     /**
      * Changes it, also in the middle of a turn.
      *
@@ -1734,12 +1734,12 @@ public interface BookInterface {
      * `Refused`: a cap that no turn keeps; `Closed`.
      */
     fun `setMotion`(`motion`: Motion)
-    
+
     /**
      * Ends the book: every later call is refused with `Closed`. The mesh stays readable until the object is freed.
      */
     fun `shut`()
-    
+
     /**
      * Lets the leaf that nobody holds come to lie at once.
      *
@@ -1748,7 +1748,7 @@ public interface BookInterface {
      * `Closed`.
      */
     fun `skip`()
-    
+
     /**
      * What `restore` needs, some 300 bytes. A leaf in the air counts as put back: `pause` lets it come to rest first.
      *
@@ -1757,7 +1757,7 @@ public interface BookInterface {
      * `Closed`.
      */
     fun `snapshot`(): kotlin.ByteArray
-    
+
     /**
      * What stands around the book, for the renderer. Ask again after `look` and `resize`.
      *
@@ -1766,7 +1766,7 @@ public interface BookInterface {
      * `Closed`.
      */
     fun `stage`(): Stage
-    
+
     /**
      * Records from now on what the book is given, and a hash a step. It is opened anew at its page for that.
      *
@@ -1775,7 +1775,7 @@ public interface BookInterface {
      * `Busy` unless everything is at rest; `Paused`; `Closed`.
      */
     fun `startRecording`()
-    
+
     /**
      * Hash of the state: equal on every platform after the same calls.
      *
@@ -1784,7 +1784,7 @@ public interface BookInterface {
      * `Closed`.
      */
     fun `stateHash`(): kotlin.ULong
-    
+
     /**
      * Lets time pass until `now_us`, the time of the frame to be drawn, and makes the mesh if it changed.
      *
@@ -1793,7 +1793,7 @@ public interface BookInterface {
      * `Closed`, `Panicked`.
      */
     fun `step`(`nowUs`: kotlin.ULong): FrameInfo
-    
+
     /**
      * Ends the recording: the bytes of a `.dlr` file, which `dogleaf replay` runs again.
      *
@@ -1802,7 +1802,7 @@ public interface BookInterface {
      * `Recording`: none was started, or a panic or a restore dropped it; `Closed`.
      */
     fun `stopRecording`(): kotlin.ByteArray
-    
+
     /**
      * Turns leaves on, or back, as a key or a screen reader asks for.
      *
@@ -1811,7 +1811,7 @@ public interface BookInterface {
      * `Busy` while a leaf is in the air; `NoSuchPage` at either end; `Paused`; `Closed`.
      */
     fun `turn`(`forward`: kotlin.Boolean, `leaves`: kotlin.UShort)
-    
+
     companion object
 }
 
@@ -1922,7 +1922,7 @@ open class Book: Disposable, AutoCloseable, BookInterface
         }
     }
 
-    
+
     /**
      * Where the frame loop's words lie, for a shell that steps without objects: see the Kotlin shell's `Frames`.
      *
@@ -1941,9 +1941,9 @@ open class Book: Disposable, AutoCloseable, BookInterface
     }
     )
     }
-    
 
-    
+
+
     /**
      * Where the indices lie, and they never change.
      *
@@ -1962,9 +1962,9 @@ open class Book: Disposable, AutoCloseable, BookInterface
     }
     )
     }
-    
 
-    
+
+
     /**
      * Whether everything is at rest.
      *
@@ -1983,9 +1983,9 @@ open class Book: Disposable, AutoCloseable, BookInterface
     }
     )
     }
-    
 
-    
+
+
     /**
      * Looks from elsewhere, in a view of this size.
      *
@@ -1994,21 +1994,21 @@ open class Book: Disposable, AutoCloseable, BookInterface
      * `Refused`: a view without pixels, or above 16,384; `Closed`.
      */
     @Throws(DogleafException::class)override fun `look`(`gaze`: Gaze, `widthPx`: kotlin.UInt, `heightPx`: kotlin.UInt)
-        = 
+        =
     callWithHandle {
     uniffiRustCallWithError(DogleafException) { _status ->
     UniffiLib.uniffi_dogleaf_ffi_fn_method_book_look(
         it,
-        
+
         FfiConverterTypeGaze.lower(`gaze`),
         FfiConverterUInt.lower(`widthPx`),
         FfiConverterUInt.lower(`heightPx`),_status)
 }
     }
-    
-    
 
-    
+
+
+
     /**
      * Where the vertices lie. Once is enough: the address never changes.
      *
@@ -2027,9 +2027,9 @@ open class Book: Disposable, AutoCloseable, BookInterface
     }
     )
     }
-    
 
-    
+
+
     /**
      * What moves, and for how long at most.
      *
@@ -2048,9 +2048,9 @@ open class Book: Disposable, AutoCloseable, BookInterface
     }
     )
     }
-    
 
-    
+
+
     /**
      * Whether the app has to call `step` again. False while everything is at rest or paused.
      *
@@ -2069,9 +2069,9 @@ open class Book: Disposable, AutoCloseable, BookInterface
     }
     )
     }
-    
 
-    
+
+
     /**
      * All notices waiting, oldest first.
      *
@@ -2090,9 +2090,9 @@ open class Book: Disposable, AutoCloseable, BookInterface
     }
     )
     }
-    
 
-    
+
+
     /**
      * Page the book is open at.
      *
@@ -2111,9 +2111,9 @@ open class Book: Disposable, AutoCloseable, BookInterface
     }
     )
     }
-    
 
-    
+
+
     /**
      * Pages of the book.
      *
@@ -2132,9 +2132,9 @@ open class Book: Disposable, AutoCloseable, BookInterface
     }
     )
     }
-    
 
-    
+
+
     /**
      * The app goes into the background: fingers are taken away, the leaf comes to rest.
      *
@@ -2143,7 +2143,7 @@ open class Book: Disposable, AutoCloseable, BookInterface
      * `Closed`.
      */
     @Throws(DogleafException::class)override fun `pause`()
-        = 
+        =
     callWithHandle {
     uniffiRustCallWithError(DogleafException) { _status ->
     UniffiLib.uniffi_dogleaf_ffi_fn_method_book_pause(
@@ -2151,10 +2151,10 @@ open class Book: Disposable, AutoCloseable, BookInterface
         _status)
 }
     }
-    
-    
 
-    
+
+
+
     /**
      * What the mesh is made of. Ask again when `pieces_generation` moved.
      *
@@ -2173,9 +2173,9 @@ open class Book: Disposable, AutoCloseable, BookInterface
     }
     )
     }
-    
 
-    
+
+
     /**
      * Takes a pointer sample. A paused book takes none and says nothing.
      *
@@ -2184,19 +2184,19 @@ open class Book: Disposable, AutoCloseable, BookInterface
      * `Pointer`, `Closed`.
      */
     @Throws(DogleafException::class)override fun `pointer`(`sample`: PointerSample)
-        = 
+        =
     callWithHandle {
     uniffiRustCallWithError(DogleafException) { _status ->
     UniffiLib.uniffi_dogleaf_ffi_fn_method_book_pointer(
         it,
-        
+
         FfiConverterTypePointerSample.lower(`sample`),_status)
 }
     }
-    
-    
 
-    
+
+
+
     /**
      * Takes a batch of pointer samples, oldest first: what the system collected since the last frame.
      *
@@ -2205,19 +2205,19 @@ open class Book: Disposable, AutoCloseable, BookInterface
      * `Pointer` at the first bad one, those before it were taken; `Closed`.
      */
     @Throws(DogleafException::class)override fun `pointers`(`samples`: List<PointerSample>)
-        = 
+        =
     callWithHandle {
     uniffiRustCallWithError(DogleafException) { _status ->
     UniffiLib.uniffi_dogleaf_ffi_fn_method_book_pointers(
         it,
-        
+
         FfiConverterSequenceTypePointerSample.lower(`samples`),_status)
 }
     }
-    
-    
 
-    
+
+
+
     /**
      * Share of the book that is read, 0 to 1: what the two fore-edges show.
      *
@@ -2236,9 +2236,9 @@ open class Book: Disposable, AutoCloseable, BookInterface
     }
     )
     }
-    
 
-    
+
+
     /**
      * The picture the app has is lost (a GL context, say): the next `step` asks to draw.
      *
@@ -2247,7 +2247,7 @@ open class Book: Disposable, AutoCloseable, BookInterface
      * `Closed`.
      */
     @Throws(DogleafException::class)override fun `redraw`()
-        = 
+        =
     callWithHandle {
     uniffiRustCallWithError(DogleafException) { _status ->
     UniffiLib.uniffi_dogleaf_ffi_fn_method_book_redraw(
@@ -2255,10 +2255,10 @@ open class Book: Disposable, AutoCloseable, BookInterface
         _status)
 }
     }
-    
-    
 
-    
+
+
+
     /**
      * The view has another size.
      *
@@ -2267,20 +2267,20 @@ open class Book: Disposable, AutoCloseable, BookInterface
      * As `look`.
      */
     @Throws(DogleafException::class)override fun `resize`(`widthPx`: kotlin.UInt, `heightPx`: kotlin.UInt)
-        = 
+        =
     callWithHandle {
     uniffiRustCallWithError(DogleafException) { _status ->
     UniffiLib.uniffi_dogleaf_ffi_fn_method_book_resize(
         it,
-        
+
         FfiConverterUInt.lower(`widthPx`),
         FfiConverterUInt.lower(`heightPx`),_status)
 }
     }
-    
-    
 
-    
+
+
+
     /**
      * Opens the book of a snapshot in place of this one; a recording under way is dropped.
      *
@@ -2289,19 +2289,19 @@ open class Book: Disposable, AutoCloseable, BookInterface
      * `Recording`: these bytes are no snapshot of this version, and nothing was changed; `Closed`.
      */
     @Throws(DogleafException::class)override fun `restore`(`bytes`: kotlin.ByteArray)
-        = 
+        =
     callWithHandle {
     uniffiRustCallWithError(DogleafException) { _status ->
     UniffiLib.uniffi_dogleaf_ffi_fn_method_book_restore(
         it,
-        
+
         FfiConverterByteArray.lower(`bytes`),_status)
 }
     }
-    
-    
 
-    
+
+
+
     /**
      * The app is back. Time that passed meanwhile does not count.
      *
@@ -2310,7 +2310,7 @@ open class Book: Disposable, AutoCloseable, BookInterface
      * `Closed`.
      */
     @Throws(DogleafException::class)override fun `resume`()
-        = 
+        =
     callWithHandle {
     uniffiRustCallWithError(DogleafException) { _status ->
     UniffiLib.uniffi_dogleaf_ffi_fn_method_book_resume(
@@ -2318,10 +2318,10 @@ open class Book: Disposable, AutoCloseable, BookInterface
         _status)
 }
     }
-    
-    
 
-    
+
+
+
     /**
      * Changes it, also in the middle of a turn.
      *
@@ -2330,23 +2330,23 @@ open class Book: Disposable, AutoCloseable, BookInterface
      * `Refused`: a cap that no turn keeps; `Closed`.
      */
     @Throws(DogleafException::class)override fun `setMotion`(`motion`: Motion)
-        = 
+        =
     callWithHandle {
     uniffiRustCallWithError(DogleafException) { _status ->
     UniffiLib.uniffi_dogleaf_ffi_fn_method_book_set_motion(
         it,
-        
+
         FfiConverterTypeMotion.lower(`motion`),_status)
 }
     }
-    
-    
 
-    
+
+
+
     /**
      * Ends the book: every later call is refused with `Closed`. The mesh stays readable until the object is freed.
      */override fun `shut`()
-        = 
+        =
     callWithHandle {
     uniffiRustCall() { _status ->
     UniffiLib.uniffi_dogleaf_ffi_fn_method_book_shut(
@@ -2354,10 +2354,10 @@ open class Book: Disposable, AutoCloseable, BookInterface
         _status)
 }
     }
-    
-    
 
-    
+
+
+
     /**
      * Lets the leaf that nobody holds come to lie at once.
      *
@@ -2366,7 +2366,7 @@ open class Book: Disposable, AutoCloseable, BookInterface
      * `Closed`.
      */
     @Throws(DogleafException::class)override fun `skip`()
-        = 
+        =
     callWithHandle {
     uniffiRustCallWithError(DogleafException) { _status ->
     UniffiLib.uniffi_dogleaf_ffi_fn_method_book_skip(
@@ -2374,10 +2374,10 @@ open class Book: Disposable, AutoCloseable, BookInterface
         _status)
 }
     }
-    
-    
 
-    
+
+
+
     /**
      * What `restore` needs, some 300 bytes. A leaf in the air counts as put back: `pause` lets it come to rest first.
      *
@@ -2396,9 +2396,9 @@ open class Book: Disposable, AutoCloseable, BookInterface
     }
     )
     }
-    
 
-    
+
+
     /**
      * What stands around the book, for the renderer. Ask again after `look` and `resize`.
      *
@@ -2417,9 +2417,9 @@ open class Book: Disposable, AutoCloseable, BookInterface
     }
     )
     }
-    
 
-    
+
+
     /**
      * Records from now on what the book is given, and a hash a step. It is opened anew at its page for that.
      *
@@ -2428,7 +2428,7 @@ open class Book: Disposable, AutoCloseable, BookInterface
      * `Busy` unless everything is at rest; `Paused`; `Closed`.
      */
     @Throws(DogleafException::class)override fun `startRecording`()
-        = 
+        =
     callWithHandle {
     uniffiRustCallWithError(DogleafException) { _status ->
     UniffiLib.uniffi_dogleaf_ffi_fn_method_book_start_recording(
@@ -2436,10 +2436,10 @@ open class Book: Disposable, AutoCloseable, BookInterface
         _status)
 }
     }
-    
-    
 
-    
+
+
+
     /**
      * Hash of the state: equal on every platform after the same calls.
      *
@@ -2458,9 +2458,9 @@ open class Book: Disposable, AutoCloseable, BookInterface
     }
     )
     }
-    
 
-    
+
+
     /**
      * Lets time pass until `now_us`, the time of the frame to be drawn, and makes the mesh if it changed.
      *
@@ -2474,15 +2474,15 @@ open class Book: Disposable, AutoCloseable, BookInterface
     uniffiRustCallWithError(DogleafException) { _status ->
     UniffiLib.uniffi_dogleaf_ffi_fn_method_book_step(
         it,
-        
+
         FfiConverterULong.lower(`nowUs`),_status)
 }
     }
     )
     }
-    
 
-    
+
+
     /**
      * Ends the recording: the bytes of a `.dlr` file, which `dogleaf replay` runs again.
      *
@@ -2501,9 +2501,9 @@ open class Book: Disposable, AutoCloseable, BookInterface
     }
     )
     }
-    
 
-    
+
+
     /**
      * Turns leaves on, or back, as a key or a screen reader asks for.
      *
@@ -2512,27 +2512,27 @@ open class Book: Disposable, AutoCloseable, BookInterface
      * `Busy` while a leaf is in the air; `NoSuchPage` at either end; `Paused`; `Closed`.
      */
     @Throws(DogleafException::class)override fun `turn`(`forward`: kotlin.Boolean, `leaves`: kotlin.UShort)
-        = 
+        =
     callWithHandle {
     uniffiRustCallWithError(DogleafException) { _status ->
     UniffiLib.uniffi_dogleaf_ffi_fn_method_book_turn(
         it,
-        
+
         FfiConverterBoolean.lower(`forward`),
         FfiConverterUShort.lower(`leaves`),_status)
 }
     }
-    
-    
-
-    
-
-    
 
 
-    
+
+
+
+
+
+
+
     companion object {
-        
+
     /**
      * Opens the book of a snapshot, at rest at its page.
      *
@@ -2544,15 +2544,15 @@ open class Book: Disposable, AutoCloseable, BookInterface
             return FfiConverterTypeBook.lift(
     uniffiRustCallWithError(DogleafException) { _status ->
     UniffiLib.uniffi_dogleaf_ffi_fn_constructor_book_from_snapshot(
-    
-        
+
+
         FfiConverterByteArray.lower(`bytes`),_status)
 }
     )
     }
-    
 
-        
+
+
     /**
      * Opens a book, at rest at its page. Its mesh is there at once.
      *
@@ -2564,17 +2564,17 @@ open class Book: Disposable, AutoCloseable, BookInterface
             return FfiConverterTypeBook.lift(
     uniffiRustCallWithError(DogleafException) { _status ->
     UniffiLib.uniffi_dogleaf_ffi_fn_constructor_book_open(
-    
-        
+
+
         FfiConverterTypeBookOptions.lower(`options`),_status)
 }
     )
     }
-    
 
-        
+
+
     }
-    
+
 }
 
 
@@ -2611,78 +2611,78 @@ data class BookOptions (
      * Printed pages, two a leaf; 1 to 20,000.
      */
     var `pages`: kotlin.UInt
-    , 
+    ,
     /**
      * Page the book is open at; 0 is before the first leaf.
      */
     var `openAt`: kotlin.UInt
-    , 
+    ,
     /**
      * Width of a page, metres.
      */
     var `widthM`: kotlin.Double
-    , 
+    ,
     /**
      * Height of a page, metres; 0.2 to 5 times the width.
      */
     var `heightM`: kotlin.Double
-    , 
+    ,
     /**
      * Boards.
      */
     var `cover`: Cover
-    , 
+    ,
     /**
      * Reading direction.
      */
     var `direction`: Direction
-    , 
+    ,
     /**
      * What the leaves are made of.
      */
     var `paper`: Paper
-    , 
+    ,
     /**
      * Width of the view, pixels.
      */
     var `widthPx`: kotlin.UInt
-    , 
+    ,
     /**
      * Height of the view, pixels.
      */
     var `heightPx`: kotlin.UInt
-    , 
+    ,
     /**
      * Both pages, or one.
      */
     var `layout`: Layout
-    , 
+    ,
     /**
      * From where one looks.
      */
     var `gaze`: Gaze
-    , 
+    ,
     /**
      * What accuracy is bought.
      */
     var `fidelity`: Fidelity
-    , 
+    ,
     /**
      * How hard the finger holds the paper, 0 to 100; 0 is a soft spring.
      */
     var `grip`: kotlin.Double
-    , 
+    ,
     /**
      * Internal step, microseconds: one frame of the display; 100 to 100,000.
      */
     var `stepUs`: kotlin.UInt
-    
+
 ){
-    
 
-    
 
-    
+
+
+
     companion object
 }
 
@@ -2754,53 +2754,53 @@ data class FrameInfo (
      * The mesh was made anew: upload it and draw.
      */
     var `draw`: kotlin.Boolean
-    , 
+    ,
     /**
      * Call again at the next frame; else not before the next input.
      */
     var `needsFrame`: kotlin.Boolean
-    , 
+    ,
     /**
      * Number of the mesh; moves when the vertices do.
      */
     var `generation`: kotlin.ULong
-    , 
+    ,
     /**
      * Number of the list of pieces; moves when one of them shows another page, comes or goes.
      */
     var `piecesGeneration`: kotlin.ULong
-    , 
+    ,
     /**
      * Notices waiting.
      */
     var `notices`: kotlin.UInt
-    , 
+    ,
     /**
      * Largest stretch of the leaf's edges, as a share of their length.
      */
     var `stretch`: kotlin.Float
-    , 
+    ,
     /**
      * Share of the light that passes the leaf in the air: none while it lies on a page, or for a stack.
      */
     var `through`: kotlin.Float
-    , 
+    ,
     /**
      * The same of the leaf that slips into the hand or out of it.
      */
     var `flyingThrough`: kotlin.Float
-    , 
+    ,
     /**
      * How the physics went.
      */
     var `status`: StepStatus
-    
+
 ){
-    
 
-    
 
-    
+
+
+
     companion object
 }
 
@@ -2857,23 +2857,23 @@ data class FrameWords (
      * First byte.
      */
     var `address`: kotlin.ULong
-    , 
+    ,
     /**
      * Bytes.
      */
     var `byteLen`: kotlin.ULong
-    , 
+    ,
     /**
      * What the calls are told the book by.
      */
     var `ticket`: kotlin.ULong
-    
+
 ){
-    
 
-    
 
-    
+
+
+
     companion object
 }
 
@@ -2912,23 +2912,23 @@ data class IndexView (
      * First byte.
      */
     var `address`: kotlin.ULong
-    , 
+    ,
     /**
      * Bytes.
      */
     var `byteLen`: kotlin.ULong
-    , 
+    ,
     /**
      * Indices.
      */
     var `indices`: kotlin.UInt
-    
+
 ){
-    
 
-    
 
-    
+
+
+
     companion object
 }
 
@@ -2970,33 +2970,33 @@ data class MeshView (
      * First byte.
      */
     var `address`: kotlin.ULong
-    , 
+    ,
     /**
      * Bytes.
      */
     var `byteLen`: kotlin.ULong
-    , 
+    ,
     /**
      * Vertices.
      */
     var `vertices`: kotlin.UInt
-    , 
+    ,
     /**
      * Bytes of one.
      */
     var `stride`: kotlin.UInt
-    , 
+    ,
     /**
      * Number of this mesh.
      */
     var `generation`: kotlin.ULong
-    
+
 ){
-    
 
-    
 
-    
+
+
+
     companion object
 }
 
@@ -3041,18 +3041,18 @@ data class Motion (
      * What is shown.
      */
     var `policy`: MotionPolicy
-    , 
+    ,
     /**
      * Longest time from letting a leaf go until it lies, 50,000 to 10,000,000 microseconds; none leaves it to the paper.
      */
     var `capUs`: kotlin.UInt?
-    
+
 ){
-    
 
-    
 
-    
+
+
+
     companion object
 }
 
@@ -3088,48 +3088,48 @@ data class Piece (
      * What it is of the book.
      */
     var `surface`: Surface
-    , 
+    ,
     /**
      * It belongs to the leaf that slips into the hand or out of it.
      */
     var `flying`: kotlin.Boolean
-    , 
+    ,
     /**
      * What it shows.
      */
     var `face`: PieceFace
-    , 
+    ,
     /**
      * The page on the other side of the same leaf, for the light that passes it; none but for a leaf in the air.
      */
     var `reverse`: kotlin.UInt?
-    , 
+    ,
     /**
      * Leaves whose cut edges it shows; nought where it shows none.
      */
     var `leaves`: kotlin.UInt
-    , 
+    ,
     /**
      * Its first index.
      */
     var `firstIndex`: kotlin.UInt
-    , 
+    ,
     /**
      * How many; three a triangle.
      */
     var `indexCount`: kotlin.UInt
-    , 
+    ,
     /**
      * Whether it is to be drawn.
      */
     var `visible`: kotlin.Boolean
-    
+
 ){
-    
 
-    
 
-    
+
+
+
     companion object
 }
 
@@ -3183,38 +3183,38 @@ data class PointerSample (
      * When, microseconds of the clock that [`Book::step`](crate::Book::step) is called with.
      */
     var `timeUs`: kotlin.ULong
-    , 
+    ,
     /**
      * Which finger, modulo 64; a second one flips leaves behind the one the first holds.
      */
     var `id`: kotlin.UByte
-    , 
+    ,
     /**
      * What it did.
      */
     var `phase`: Phase
-    , 
+    ,
     /**
      * Across the view, pixels from its left edge.
      */
     var `x`: kotlin.Float
-    , 
+    ,
     /**
      * Down the view, pixels from its top edge.
      */
     var `y`: kotlin.Float
-    , 
+    ,
     /**
      * Leaves to take up at once; read at [`Phase::Down`], zero means one.
      */
     var `leaves`: kotlin.UShort
-    
+
 ){
-    
 
-    
 
-    
+
+
+
     companion object
 }
 
@@ -3262,48 +3262,48 @@ data class Stage (
      * From metres of the book frame to clip space as GL has it (z from -1 to 1): 16 numbers, column by column.
      */
     var `viewProjection`: List<kotlin.Float>
-    , 
+    ,
     /**
      * Eye, metres: 3 numbers.
      */
     var `eye`: List<kotlin.Float>
-    , 
+    ,
     /**
      * Width of the view, pixels.
      */
     var `widthPx`: kotlin.UInt
-    , 
+    ,
     /**
      * Height of the view, pixels.
      */
     var `heightPx`: kotlin.UInt
-    , 
+    ,
     /**
      * Side of a pixel one metre away, metres.
      */
     var `pixelAtOneMetre`: kotlin.Float
-    , 
+    ,
     /**
      * Height of the table in the book frame, metres: below nought.
      */
     var `tableY`: kotlin.Float
-    , 
+    ,
     /**
      * Thickness of a leaf, metres.
      */
     var `leafM`: kotlin.Float
-    , 
+    ,
     /**
      * Radius of a sphere about the binding that holds the book however it is opened, metres.
      */
     var `radiusM`: kotlin.Float
-    
+
 ){
-    
 
-    
 
-    
+
+
+
     companion object
 }
 
@@ -3354,7 +3354,7 @@ public object FfiConverterTypeStage: FfiConverterRustBuffer<Stage> {
  */
 
 enum class Cover {
-    
+
     /**
      * Two stiff boards hinged at the spine.
      */
@@ -3364,7 +3364,7 @@ enum class Cover {
      */
     SOFT;
 
-    
+
 
 
     companion object
@@ -3376,9 +3376,9 @@ enum class Cover {
  */
 public object FfiConverterTypeCover: FfiConverterRustBuffer<Cover> {
     override fun read(buf: ByteBuffer) = try {
-        
+
         Cover.entries[buf.getInt() - 1]
-        
+
     } catch (e: IndexOutOfBoundsException) {
         throw RuntimeException("invalid enum value, something is very wrong!!", e)
     }
@@ -3399,7 +3399,7 @@ public object FfiConverterTypeCover: FfiConverterRustBuffer<Cover> {
  */
 
 enum class Direction {
-    
+
     /**
      * Leaves turn from right to left.
      */
@@ -3409,7 +3409,7 @@ enum class Direction {
      */
     RTL;
 
-    
+
 
 
     companion object
@@ -3421,9 +3421,9 @@ enum class Direction {
  */
 public object FfiConverterTypeDirection: FfiConverterRustBuffer<Direction> {
     override fun read(buf: ByteBuffer) = try {
-        
+
         Direction.entries[buf.getInt() - 1]
-        
+
     } catch (e: IndexOutOfBoundsException) {
         throw RuntimeException("invalid enum value, something is very wrong!!", e)
     }
@@ -3445,47 +3445,47 @@ public object FfiConverterTypeDirection: FfiConverterRustBuffer<Direction> {
  * Why a call was refused. But for `Panicked`, nothing was changed.
  */
 sealed class DogleafException(message: String): kotlin.Exception(message) {
-        
+
     /**
      * The book was shut.
      */
         class Closed(message: String) : DogleafException(message)
-        
+
     /**
      * A leaf is in the air.
      */
         class Busy(message: String) : DogleafException(message)
-        
+
     /**
      * There is no page that way.
      */
         class NoSuchPage(message: String) : DogleafException(message)
-        
+
     /**
      * The app paused the book.
      */
         class Paused(message: String) : DogleafException(message)
-        
+
     /**
      * A value no book can have; the text names it.
      */
         class Refused(message: String) : DogleafException(message)
-        
+
     /**
      * A pointer sample came too early, too late or too often. Samples before it in the same call were taken.
      */
         class Pointer(message: String) : DogleafException(message)
-        
+
     /**
      * Bytes that are no snapshot, or a recording that could not be made.
      */
         class Recording(message: String) : DogleafException(message)
-        
+
     /**
      * Something below broke. The book was put back to rest at its page, and goes on.
      */
         class Panicked(message: String) : DogleafException(message)
-        
+
 
     companion object ErrorHandler : UniffiRustCallStatusErrorHandler<DogleafException> {
         override fun lift(error_buf: RustBuffer.ByValue): DogleafException = FfiConverterTypeDogleafError.lift(error_buf)
@@ -3497,7 +3497,7 @@ sealed class DogleafException(message: String): kotlin.Exception(message) {
  */
 public object FfiConverterTypeDogleafError : FfiConverterRustBuffer<DogleafException> {
     override fun read(buf: ByteBuffer): DogleafException {
-        
+
             return when(buf.getInt()) {
             1 -> DogleafException.Closed(FfiConverterString.read(buf))
             2 -> DogleafException.Busy(FfiConverterString.read(buf))
@@ -3509,7 +3509,7 @@ public object FfiConverterTypeDogleafError : FfiConverterRustBuffer<DogleafExcep
             8 -> DogleafException.Panicked(FfiConverterString.read(buf))
             else -> throw RuntimeException("invalid error enum value, something is very wrong!!")
         }
-        
+
     }
 
     override fun allocationSize(value: DogleafException): ULong {
@@ -3562,7 +3562,7 @@ public object FfiConverterTypeDogleafError : FfiConverterRustBuffer<DogleafExcep
  */
 
 enum class Fidelity {
-    
+
     /**
      * For the slowest machines.
      */
@@ -3580,7 +3580,7 @@ enum class Fidelity {
      */
     REFERENCE;
 
-    
+
 
 
     companion object
@@ -3592,9 +3592,9 @@ enum class Fidelity {
  */
 public object FfiConverterTypeFidelity: FfiConverterRustBuffer<Fidelity> {
     override fun read(buf: ByteBuffer) = try {
-        
+
         Fidelity.entries[buf.getInt() - 1]
-        
+
     } catch (e: IndexOutOfBoundsException) {
         throw RuntimeException("invalid enum value, something is very wrong!!", e)
     }
@@ -3615,7 +3615,7 @@ public object FfiConverterTypeFidelity: FfiConverterRustBuffer<Fidelity> {
  */
 
 enum class Gaze {
-    
+
     /**
      * A reader at a table.
      */
@@ -3625,7 +3625,7 @@ enum class Gaze {
      */
     ABOVE;
 
-    
+
 
 
     companion object
@@ -3637,9 +3637,9 @@ enum class Gaze {
  */
 public object FfiConverterTypeGaze: FfiConverterRustBuffer<Gaze> {
     override fun read(buf: ByteBuffer) = try {
-        
+
         Gaze.entries[buf.getInt() - 1]
-        
+
     } catch (e: IndexOutOfBoundsException) {
         throw RuntimeException("invalid enum value, something is very wrong!!", e)
     }
@@ -3660,7 +3660,7 @@ public object FfiConverterTypeGaze: FfiConverterRustBuffer<Gaze> {
  */
 
 enum class Layout {
-    
+
     /**
      * Both open pages.
      */
@@ -3670,7 +3670,7 @@ enum class Layout {
      */
     SINGLE;
 
-    
+
 
 
     companion object
@@ -3682,9 +3682,9 @@ enum class Layout {
  */
 public object FfiConverterTypeLayout: FfiConverterRustBuffer<Layout> {
     override fun read(buf: ByteBuffer) = try {
-        
+
         Layout.entries[buf.getInt() - 1]
-        
+
     } catch (e: IndexOutOfBoundsException) {
         throw RuntimeException("invalid enum value, something is very wrong!!", e)
     }
@@ -3705,7 +3705,7 @@ public object FfiConverterTypeLayout: FfiConverterRustBuffer<Layout> {
  */
 
 enum class MotionPolicy {
-    
+
     /**
      * Every frame.
      */
@@ -3723,7 +3723,7 @@ enum class MotionPolicy {
      */
     E_INK;
 
-    
+
 
 
     companion object
@@ -3735,9 +3735,9 @@ enum class MotionPolicy {
  */
 public object FfiConverterTypeMotionPolicy: FfiConverterRustBuffer<MotionPolicy> {
     override fun read(buf: ByteBuffer) = try {
-        
+
         MotionPolicy.entries[buf.getInt() - 1]
-        
+
     } catch (e: IndexOutOfBoundsException) {
         throw RuntimeException("invalid enum value, something is very wrong!!", e)
     }
@@ -3757,7 +3757,7 @@ public object FfiConverterTypeMotionPolicy: FfiConverterRustBuffer<MotionPolicy>
  * One fact for the app. Exactly one `Committed` or `Cancelled` ends every `Lifted`.
  */
 sealed class Notice {
-    
+
     /**
      * Leaves were taken up from the block on this side.
      */
@@ -3765,18 +3765,18 @@ sealed class Notice {
         /**
          * Taken from the right block.
          */
-        val `fromRight`: kotlin.Boolean, 
+        val `fromRight`: kotlin.Boolean,
         /**
          * How many.
          */
         val `leaves`: kotlin.UInt) : Notice()
-        
+
     {
-        
+
 
         companion object
     }
-    
+
     /**
      * A second finger changed how many are held.
      */
@@ -3785,13 +3785,13 @@ sealed class Notice {
          * How many are held now.
          */
         val `leaves`: kotlin.UInt) : Notice()
-        
+
     {
-        
+
 
         companion object
     }
-    
+
     /**
      * The book is open at another page now.
      */
@@ -3800,19 +3800,19 @@ sealed class Notice {
          * As [`BookOptions::open_at`](crate::BookOptions::open_at).
          */
         val `page`: kotlin.UInt) : Notice()
-        
+
     {
-        
+
 
         companion object
     }
-    
+
     /**
      * The leaf was put back.
      */
     object Cancelled : Notice()
-    
-    
+
+
     /**
      * For a screen reader, once the page lies: the page and how many there are.
      */
@@ -3820,18 +3820,18 @@ sealed class Notice {
         /**
          * First page that is open.
          */
-        val `page`: kotlin.UInt, 
+        val `page`: kotlin.UInt,
         /**
          * Pages of the book.
          */
         val `pages`: kotlin.UInt) : Notice()
-        
+
     {
-        
+
 
         companion object
     }
-    
+
     /**
      * For the vibrator.
      */
@@ -3840,24 +3840,24 @@ sealed class Notice {
          * What a finger would feel.
          */
         val `tick`: org.dogleaf.Tick) : Notice()
-        
+
     {
-        
+
 
         companion object
     }
-    
+
     /**
      * Everything is at rest; nothing has to be drawn until the next input.
      */
     object Asleep : Notice()
-    
-    
 
-    
 
-    
-    
+
+
+
+
+
 
 
     companion object
@@ -3993,49 +3993,49 @@ public object FfiConverterTypeNotice : FfiConverterRustBuffer<Notice>{
  * Paper by name, or by its figures. The names are engineering estimates, not laboratory values.
  */
 sealed class Paper {
-    
+
     /**
      * Copier paper, 80 g/m².
      */
     object Office : Paper()
-    
-    
+
+
     /**
      * Book paper, 65 g/m².
      */
     object Book : Paper()
-    
-    
+
+
     /**
      * Newsprint, 48 g/m².
      */
     object Newsprint : Paper()
-    
-    
+
+
     /**
      * Coated, 120 g/m².
      */
     object Coated : Paper()
-    
-    
+
+
     /**
      * Glossy, 160 g/m².
      */
     object Glossy : Paper()
-    
-    
+
+
     /**
      * Matte, 130 g/m².
      */
     object Matte : Paper()
-    
-    
+
+
     /**
      * Card, 300 g/m².
      */
     object Cardboard : Paper()
-    
-    
+
+
     /**
      * Any other.
      */
@@ -4043,31 +4043,31 @@ sealed class Paper {
         /**
          * Mass per area, g/m².
          */
-        val `arealMassGsm`: kotlin.Double, 
+        val `arealMassGsm`: kotlin.Double,
         /**
          * Thickness, mm.
          */
-        val `thicknessMm`: kotlin.Double, 
+        val `thicknessMm`: kotlin.Double,
         /**
          * Young's modulus, GPa.
          */
-        val `youngsGpa`: kotlin.Double, 
+        val `youngsGpa`: kotlin.Double,
         /**
          * Poisson's ratio.
          */
         val `poisson`: kotlin.Double) : Paper()
-        
+
     {
-        
+
 
         companion object
     }
-    
 
-    
 
-    
-    
+
+
+
+
 
 
     companion object
@@ -4202,7 +4202,7 @@ public object FfiConverterTypePaper : FfiConverterRustBuffer<Paper>{
  */
 
 enum class Phase {
-    
+
     /**
      * Pressed.
      */
@@ -4220,7 +4220,7 @@ enum class Phase {
      */
     CANCEL;
 
-    
+
 
 
     companion object
@@ -4232,9 +4232,9 @@ enum class Phase {
  */
 public object FfiConverterTypePhase: FfiConverterRustBuffer<Phase> {
     override fun read(buf: ByteBuffer) = try {
-        
+
         Phase.entries[buf.getInt() - 1]
-        
+
     } catch (e: IndexOutOfBoundsException) {
         throw RuntimeException("invalid enum value, something is very wrong!!", e)
     }
@@ -4254,7 +4254,7 @@ public object FfiConverterTypePhase: FfiConverterRustBuffer<Phase> {
  * What a piece shows.
  */
 sealed class PieceFace {
-    
+
     /**
      * A printed page, counted from 0; beyond the last one blank paper.
      */
@@ -4263,30 +4263,30 @@ sealed class PieceFace {
          * Which.
          */
         val `page`: kotlin.UInt) : PieceFace()
-        
+
     {
-        
+
 
         companion object
     }
-    
+
     /**
      * The edges of leaves.
      */
     object Edge : PieceFace()
-    
-    
+
+
     /**
      * A board or the spine of the cover.
      */
     object Cover : PieceFace()
-    
-    
 
-    
 
-    
-    
+
+
+
+
+
 
 
     companion object
@@ -4357,7 +4357,7 @@ public object FfiConverterTypePieceFace : FfiConverterRustBuffer<PieceFace>{
  */
 
 enum class StepStatus {
-    
+
     /**
      * Nothing moved and nothing had to.
      */
@@ -4383,7 +4383,7 @@ enum class StepStatus {
      */
     RECOVERED;
 
-    
+
 
 
     companion object
@@ -4395,9 +4395,9 @@ enum class StepStatus {
  */
 public object FfiConverterTypeStepStatus: FfiConverterRustBuffer<StepStatus> {
     override fun read(buf: ByteBuffer) = try {
-        
+
         StepStatus.entries[buf.getInt() - 1]
-        
+
     } catch (e: IndexOutOfBoundsException) {
         throw RuntimeException("invalid enum value, something is very wrong!!", e)
     }
@@ -4418,7 +4418,7 @@ public object FfiConverterTypeStepStatus: FfiConverterRustBuffer<StepStatus> {
  */
 
 enum class Surface {
-    
+
     /**
      * The side of the leaf that faces up when it lies on the right.
      */
@@ -4468,7 +4468,7 @@ enum class Surface {
      */
     SPINE;
 
-    
+
 
 
     companion object
@@ -4480,9 +4480,9 @@ enum class Surface {
  */
 public object FfiConverterTypeSurface: FfiConverterRustBuffer<Surface> {
     override fun read(buf: ByteBuffer) = try {
-        
+
         Surface.entries[buf.getInt() - 1]
-        
+
     } catch (e: IndexOutOfBoundsException) {
         throw RuntimeException("invalid enum value, something is very wrong!!", e)
     }
@@ -4503,7 +4503,7 @@ public object FfiConverterTypeSurface: FfiConverterRustBuffer<Surface> {
  */
 
 enum class Tick {
-    
+
     /**
      * A leaf comes off its block.
      */
@@ -4521,7 +4521,7 @@ enum class Tick {
      */
     FLIP;
 
-    
+
 
 
     companion object
@@ -4533,9 +4533,9 @@ enum class Tick {
  */
 public object FfiConverterTypeTick: FfiConverterRustBuffer<Tick> {
     override fun read(buf: ByteBuffer) = try {
-        
+
         Tick.entries[buf.getInt() - 1]
-        
+
     } catch (e: IndexOutOfBoundsException) {
         throw RuntimeException("invalid enum value, something is very wrong!!", e)
     }
@@ -4698,12 +4698,12 @@ public object FfiConverterSequenceTypeNotice: FfiConverterRustBuffer<List<Notice
             return FfiConverterString.lift(
     uniffiRustCall() { _status ->
     UniffiLib.uniffi_dogleaf_ffi_fn_func_version(
-    
+
         _status)
 }
     )
     }
-    
+
 
         /**
          * A paperback for a touch screen: a spread, seen by a reader at a table, at sixty steps a second.
@@ -4711,14 +4711,11 @@ public object FfiConverterSequenceTypeNotice: FfiConverterRustBuffer<List<Notice
             return FfiConverterTypeBookOptions.lift(
     uniffiRustCall() { _status ->
     UniffiLib.uniffi_dogleaf_ffi_fn_func_book_options(
-    
-        
+
+
         FfiConverterUInt.lower(`pages`),
         FfiConverterUInt.lower(`widthPx`),
         FfiConverterUInt.lower(`heightPx`),_status)
 }
     )
     }
-    
-
-
