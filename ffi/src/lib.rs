@@ -21,6 +21,7 @@ mod desk;
 mod error;
 mod frame;
 mod journal;
+mod life;
 mod mesh;
 mod notice;
 mod options;

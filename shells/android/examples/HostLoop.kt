@@ -1,12 +1,8 @@
 // A page curl, replaced: everything a reader has to do, with a surface and a toolkit of its own.
+package org.dogleaf.examples
+
 import java.nio.ByteBuffer
-import org.dogleaf.Book
-import org.dogleaf.BookRenderer
-import org.dogleaf.Frames
-import org.dogleaf.Gles
-import org.dogleaf.Notice
-import org.dogleaf.Phase
-import org.dogleaf.bookOptions
+import org.dogleaf.*
 
 /** What your reader already has. */
 interface Reader {

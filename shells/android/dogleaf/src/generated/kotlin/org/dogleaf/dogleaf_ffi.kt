@@ -683,8 +683,6 @@ internal object IntegrityCheckingUniffiLib {
     ): Int
     external fun uniffi_dogleaf_ffi_checksum_method_book_indices(
     ): Int
-    external fun uniffi_dogleaf_ffi_checksum_method_book_is_sleeping(
-    ): Int
     external fun uniffi_dogleaf_ffi_checksum_method_book_look(
     ): Int
     external fun uniffi_dogleaf_ffi_checksum_method_book_mesh(
@@ -695,27 +693,15 @@ internal object IntegrityCheckingUniffiLib {
     ): Int
     external fun uniffi_dogleaf_ffi_checksum_method_book_notices(
     ): Int
-    external fun uniffi_dogleaf_ffi_checksum_method_book_page(
-    ): Int
-    external fun uniffi_dogleaf_ffi_checksum_method_book_pages(
-    ): Int
-    external fun uniffi_dogleaf_ffi_checksum_method_book_pause(
-    ): Int
     external fun uniffi_dogleaf_ffi_checksum_method_book_pieces(
     ): Int
     external fun uniffi_dogleaf_ffi_checksum_method_book_pointer(
     ): Int
     external fun uniffi_dogleaf_ffi_checksum_method_book_pointers(
     ): Int
-    external fun uniffi_dogleaf_ffi_checksum_method_book_progress(
-    ): Int
     external fun uniffi_dogleaf_ffi_checksum_method_book_redraw(
     ): Int
     external fun uniffi_dogleaf_ffi_checksum_method_book_resize(
-    ): Int
-    external fun uniffi_dogleaf_ffi_checksum_method_book_restore(
-    ): Int
-    external fun uniffi_dogleaf_ffi_checksum_method_book_resume(
     ): Int
     external fun uniffi_dogleaf_ffi_checksum_method_book_set_motion(
     ): Int
@@ -723,19 +709,33 @@ internal object IntegrityCheckingUniffiLib {
     ): Int
     external fun uniffi_dogleaf_ffi_checksum_method_book_skip(
     ): Int
-    external fun uniffi_dogleaf_ffi_checksum_method_book_snapshot(
-    ): Int
     external fun uniffi_dogleaf_ffi_checksum_method_book_stage(
+    ): Int
+    external fun uniffi_dogleaf_ffi_checksum_method_book_step(
+    ): Int
+    external fun uniffi_dogleaf_ffi_checksum_method_book_turn(
+    ): Int
+    external fun uniffi_dogleaf_ffi_checksum_method_book_is_sleeping(
+    ): Int
+    external fun uniffi_dogleaf_ffi_checksum_method_book_page(
+    ): Int
+    external fun uniffi_dogleaf_ffi_checksum_method_book_pages(
+    ): Int
+    external fun uniffi_dogleaf_ffi_checksum_method_book_pause(
+    ): Int
+    external fun uniffi_dogleaf_ffi_checksum_method_book_progress(
+    ): Int
+    external fun uniffi_dogleaf_ffi_checksum_method_book_restore(
+    ): Int
+    external fun uniffi_dogleaf_ffi_checksum_method_book_resume(
+    ): Int
+    external fun uniffi_dogleaf_ffi_checksum_method_book_snapshot(
     ): Int
     external fun uniffi_dogleaf_ffi_checksum_method_book_start_recording(
     ): Int
     external fun uniffi_dogleaf_ffi_checksum_method_book_state_hash(
     ): Int
-    external fun uniffi_dogleaf_ffi_checksum_method_book_step(
-    ): Int
     external fun uniffi_dogleaf_ffi_checksum_method_book_stop_recording(
-    ): Int
-    external fun uniffi_dogleaf_ffi_checksum_method_book_turn(
     ): Int
     external fun uniffi_dogleaf_ffi_checksum_constructor_book_from_snapshot(
     ): Int
@@ -773,8 +773,6 @@ internal object UniffiLib {
     ): RustBuffer.ByValue
     external fun uniffi_dogleaf_ffi_fn_method_book_indices(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): RustBuffer.ByValue
-    external fun uniffi_dogleaf_ffi_fn_method_book_is_sleeping(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
-    ): Byte
     external fun uniffi_dogleaf_ffi_fn_method_book_look(`ptr`: Long,`gaze`: RustBuffer.ByValue,`widthPx`: Int,`heightPx`: Int,uniffi_out_err: UniffiRustCallStatus,
     ): Unit
     external fun uniffi_dogleaf_ffi_fn_method_book_mesh(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
@@ -785,27 +783,15 @@ internal object UniffiLib {
     ): Byte
     external fun uniffi_dogleaf_ffi_fn_method_book_notices(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): RustBuffer.ByValue
-    external fun uniffi_dogleaf_ffi_fn_method_book_page(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
-    ): Int
-    external fun uniffi_dogleaf_ffi_fn_method_book_pages(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
-    ): Int
-    external fun uniffi_dogleaf_ffi_fn_method_book_pause(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
-    ): Unit
     external fun uniffi_dogleaf_ffi_fn_method_book_pieces(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): RustBuffer.ByValue
     external fun uniffi_dogleaf_ffi_fn_method_book_pointer(`ptr`: Long,`sample`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus,
     ): Unit
     external fun uniffi_dogleaf_ffi_fn_method_book_pointers(`ptr`: Long,`samples`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus,
     ): Unit
-    external fun uniffi_dogleaf_ffi_fn_method_book_progress(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
-    ): Double
     external fun uniffi_dogleaf_ffi_fn_method_book_redraw(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Unit
     external fun uniffi_dogleaf_ffi_fn_method_book_resize(`ptr`: Long,`widthPx`: Int,`heightPx`: Int,uniffi_out_err: UniffiRustCallStatus,
-    ): Unit
-    external fun uniffi_dogleaf_ffi_fn_method_book_restore(`ptr`: Long,`bytes`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus,
-    ): Unit
-    external fun uniffi_dogleaf_ffi_fn_method_book_resume(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Unit
     external fun uniffi_dogleaf_ffi_fn_method_book_set_motion(`ptr`: Long,`motion`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus,
     ): Unit
@@ -813,20 +799,34 @@ internal object UniffiLib {
     ): Unit
     external fun uniffi_dogleaf_ffi_fn_method_book_skip(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Unit
-    external fun uniffi_dogleaf_ffi_fn_method_book_snapshot(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
-    ): RustBuffer.ByValue
     external fun uniffi_dogleaf_ffi_fn_method_book_stage(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
+    ): RustBuffer.ByValue
+    external fun uniffi_dogleaf_ffi_fn_method_book_step(`ptr`: Long,`nowUs`: Long,uniffi_out_err: UniffiRustCallStatus,
+    ): RustBuffer.ByValue
+    external fun uniffi_dogleaf_ffi_fn_method_book_turn(`ptr`: Long,`forward`: Byte,`leaves`: Short,uniffi_out_err: UniffiRustCallStatus,
+    ): Unit
+    external fun uniffi_dogleaf_ffi_fn_method_book_is_sleeping(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
+    ): Byte
+    external fun uniffi_dogleaf_ffi_fn_method_book_page(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
+    ): Int
+    external fun uniffi_dogleaf_ffi_fn_method_book_pages(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
+    ): Int
+    external fun uniffi_dogleaf_ffi_fn_method_book_pause(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
+    ): Unit
+    external fun uniffi_dogleaf_ffi_fn_method_book_progress(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
+    ): Double
+    external fun uniffi_dogleaf_ffi_fn_method_book_restore(`ptr`: Long,`bytes`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus,
+    ): Unit
+    external fun uniffi_dogleaf_ffi_fn_method_book_resume(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
+    ): Unit
+    external fun uniffi_dogleaf_ffi_fn_method_book_snapshot(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): RustBuffer.ByValue
     external fun uniffi_dogleaf_ffi_fn_method_book_start_recording(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Unit
     external fun uniffi_dogleaf_ffi_fn_method_book_state_hash(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Long
-    external fun uniffi_dogleaf_ffi_fn_method_book_step(`ptr`: Long,`nowUs`: Long,uniffi_out_err: UniffiRustCallStatus,
-    ): RustBuffer.ByValue
     external fun uniffi_dogleaf_ffi_fn_method_book_stop_recording(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): RustBuffer.ByValue
-    external fun uniffi_dogleaf_ffi_fn_method_book_turn(`ptr`: Long,`forward`: Byte,`leaves`: Short,uniffi_out_err: UniffiRustCallStatus,
-    ): Unit
     external fun uniffi_dogleaf_ffi_fn_func_version(uniffi_out_err: UniffiRustCallStatus,
     ): RustBuffer.ByValue
     external fun uniffi_dogleaf_ffi_fn_func_book_options(`pages`: Int,`widthPx`: Int,`heightPx`: Int,uniffi_out_err: UniffiRustCallStatus,
@@ -962,9 +962,6 @@ private fun uniffiCheckApiChecksums(lib: IntegrityCheckingUniffiLib) {
     if ((lib.uniffi_dogleaf_ffi_checksum_method_book_indices() and 0xFFFF) != 35989) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
-    if ((lib.uniffi_dogleaf_ffi_checksum_method_book_is_sleeping() and 0xFFFF) != 21789) {
-        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
-    }
     if ((lib.uniffi_dogleaf_ffi_checksum_method_book_look() and 0xFFFF) != 51622) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
@@ -980,15 +977,6 @@ private fun uniffiCheckApiChecksums(lib: IntegrityCheckingUniffiLib) {
     if ((lib.uniffi_dogleaf_ffi_checksum_method_book_notices() and 0xFFFF) != 60579) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
-    if ((lib.uniffi_dogleaf_ffi_checksum_method_book_page() and 0xFFFF) != 45214) {
-        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
-    }
-    if ((lib.uniffi_dogleaf_ffi_checksum_method_book_pages() and 0xFFFF) != 28294) {
-        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
-    }
-    if ((lib.uniffi_dogleaf_ffi_checksum_method_book_pause() and 0xFFFF) != 52848) {
-        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
-    }
     if ((lib.uniffi_dogleaf_ffi_checksum_method_book_pieces() and 0xFFFF) != 62353) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
@@ -998,19 +986,10 @@ private fun uniffiCheckApiChecksums(lib: IntegrityCheckingUniffiLib) {
     if ((lib.uniffi_dogleaf_ffi_checksum_method_book_pointers() and 0xFFFF) != 6358) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
-    if ((lib.uniffi_dogleaf_ffi_checksum_method_book_progress() and 0xFFFF) != 23544) {
-        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
-    }
     if ((lib.uniffi_dogleaf_ffi_checksum_method_book_redraw() and 0xFFFF) != 45949) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
     if ((lib.uniffi_dogleaf_ffi_checksum_method_book_resize() and 0xFFFF) != 55279) {
-        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
-    }
-    if ((lib.uniffi_dogleaf_ffi_checksum_method_book_restore() and 0xFFFF) != 44070) {
-        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
-    }
-    if ((lib.uniffi_dogleaf_ffi_checksum_method_book_resume() and 0xFFFF) != 40781) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
     if ((lib.uniffi_dogleaf_ffi_checksum_method_book_set_motion() and 0xFFFF) != 30706) {
@@ -1022,25 +1001,46 @@ private fun uniffiCheckApiChecksums(lib: IntegrityCheckingUniffiLib) {
     if ((lib.uniffi_dogleaf_ffi_checksum_method_book_skip() and 0xFFFF) != 13195) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
-    if ((lib.uniffi_dogleaf_ffi_checksum_method_book_snapshot() and 0xFFFF) != 39793) {
-        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
-    }
     if ((lib.uniffi_dogleaf_ffi_checksum_method_book_stage() and 0xFFFF) != 10608) {
-        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
-    }
-    if ((lib.uniffi_dogleaf_ffi_checksum_method_book_start_recording() and 0xFFFF) != 4307) {
-        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
-    }
-    if ((lib.uniffi_dogleaf_ffi_checksum_method_book_state_hash() and 0xFFFF) != 14111) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
     if ((lib.uniffi_dogleaf_ffi_checksum_method_book_step() and 0xFFFF) != 44993) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
-    if ((lib.uniffi_dogleaf_ffi_checksum_method_book_stop_recording() and 0xFFFF) != 1221) {
+    if ((lib.uniffi_dogleaf_ffi_checksum_method_book_turn() and 0xFFFF) != 31739) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
-    if ((lib.uniffi_dogleaf_ffi_checksum_method_book_turn() and 0xFFFF) != 31739) {
+    if ((lib.uniffi_dogleaf_ffi_checksum_method_book_is_sleeping() and 0xFFFF) != 64279) {
+        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
+    }
+    if ((lib.uniffi_dogleaf_ffi_checksum_method_book_page() and 0xFFFF) != 14272) {
+        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
+    }
+    if ((lib.uniffi_dogleaf_ffi_checksum_method_book_pages() and 0xFFFF) != 31148) {
+        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
+    }
+    if ((lib.uniffi_dogleaf_ffi_checksum_method_book_pause() and 0xFFFF) != 30605) {
+        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
+    }
+    if ((lib.uniffi_dogleaf_ffi_checksum_method_book_progress() and 0xFFFF) != 36228) {
+        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
+    }
+    if ((lib.uniffi_dogleaf_ffi_checksum_method_book_restore() and 0xFFFF) != 52926) {
+        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
+    }
+    if ((lib.uniffi_dogleaf_ffi_checksum_method_book_resume() and 0xFFFF) != 34033) {
+        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
+    }
+    if ((lib.uniffi_dogleaf_ffi_checksum_method_book_snapshot() and 0xFFFF) != 57871) {
+        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
+    }
+    if ((lib.uniffi_dogleaf_ffi_checksum_method_book_start_recording() and 0xFFFF) != 6046) {
+        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
+    }
+    if ((lib.uniffi_dogleaf_ffi_checksum_method_book_state_hash() and 0xFFFF) != 8682) {
+        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
+    }
+    if ((lib.uniffi_dogleaf_ffi_checksum_method_book_stop_recording() and 0xFFFF) != 10242) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
     if ((lib.uniffi_dogleaf_ffi_checksum_constructor_book_from_snapshot() and 0xFFFF) != 17115) {
@@ -1574,15 +1574,6 @@ public interface BookInterface {
     fun `indices`(): IndexView
 
     /**
-     * Whether everything is at rest.
-     *
-     * # Errors
-     *
-     * `Closed`.
-     */
-    fun `isSleeping`(): kotlin.Boolean
-
-    /**
      * Looks from elsewhere, in a view of this size.
      *
      * # Errors
@@ -1628,33 +1619,6 @@ public interface BookInterface {
     fun `notices`(): List<Notice>
 
     /**
-     * Page the book is open at.
-     *
-     * # Errors
-     *
-     * `Closed`.
-     */
-    fun `page`(): kotlin.UInt
-
-    /**
-     * Pages of the book.
-     *
-     * # Errors
-     *
-     * `Closed`.
-     */
-    fun `pages`(): kotlin.UInt
-
-    /**
-     * The app goes into the background: fingers are taken away, the leaf comes to rest.
-     *
-     * # Errors
-     *
-     * `Closed`.
-     */
-    fun `pause`()
-
-    /**
      * What the mesh is made of. Ask again when `pieces_generation` moved.
      *
      * # Errors
@@ -1682,15 +1646,6 @@ public interface BookInterface {
     fun `pointers`(`samples`: List<PointerSample>)
 
     /**
-     * Share of the book that is read, 0 to 1: what the two fore-edges show.
-     *
-     * # Errors
-     *
-     * `Closed`.
-     */
-    fun `progress`(): kotlin.Double
-
-    /**
      * The picture the app has is lost (a GL context, say): the next `step` asks to draw.
      *
      * # Errors
@@ -1707,24 +1662,6 @@ public interface BookInterface {
      * As `look`.
      */
     fun `resize`(`widthPx`: kotlin.UInt, `heightPx`: kotlin.UInt)
-
-    /**
-     * Opens the book of a snapshot in place of this one; a recording under way is dropped.
-     *
-     * # Errors
-     *
-     * `Recording`: these bytes are no snapshot of this version, and nothing was changed; `Closed`.
-     */
-    fun `restore`(`bytes`: kotlin.ByteArray)
-
-    /**
-     * The app is back. Time that passed meanwhile does not count.
-     *
-     * # Errors
-     *
-     * `Closed`.
-     */
-    fun `resume`()
 
     /**
      * Changes it, also in the middle of a turn.
@@ -1750,15 +1687,6 @@ public interface BookInterface {
     fun `skip`()
 
     /**
-     * What `restore` needs, some 300 bytes. A leaf in the air counts as put back: `pause` lets it come to rest first.
-     *
-     * # Errors
-     *
-     * `Closed`.
-     */
-    fun `snapshot`(): kotlin.ByteArray
-
-    /**
      * What stands around the book, for the renderer. Ask again after `look` and `resize`.
      *
      * # Errors
@@ -1766,6 +1694,96 @@ public interface BookInterface {
      * `Closed`.
      */
     fun `stage`(): Stage
+
+    /**
+     * Lets time pass until `now_us`, the time of the frame to be drawn, and makes the mesh if it changed.
+     *
+     * # Errors
+     *
+     * `Closed`, `Panicked`.
+     */
+    fun `step`(`nowUs`: kotlin.ULong): FrameInfo
+
+    /**
+     * Turns leaves on, or back, as a key or a screen reader asks for.
+     *
+     * # Errors
+     *
+     * `Busy` while a leaf is in the air; `NoSuchPage` at either end; `Paused`; `Closed`.
+     */
+    fun `turn`(`forward`: kotlin.Boolean, `leaves`: kotlin.UShort)
+
+    /**
+     * Whether everything is at rest.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+    fun `isSleeping`(): kotlin.Boolean
+
+    /**
+     * Page the book is open at.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+    fun `page`(): kotlin.UInt
+
+    /**
+     * Pages of the book.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+    fun `pages`(): kotlin.UInt
+
+    /**
+     * The app goes into the background: fingers are taken away, the leaf comes to rest.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+    fun `pause`()
+
+    /**
+     * Share of the book that is read, 0 to 1: what the two fore-edges show.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+    fun `progress`(): kotlin.Double
+
+    /**
+     * Opens the book of a snapshot in place of this one; a recording under way is dropped.
+     *
+     * # Errors
+     *
+     * `Recording`: these bytes are no snapshot of this version, and nothing was changed; `Closed`.
+     */
+    fun `restore`(`bytes`: kotlin.ByteArray)
+
+    /**
+     * The app is back. Time that passed meanwhile does not count.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+    fun `resume`()
+
+    /**
+     * What `restore` needs, some 300 bytes. A leaf in the air counts as put back: `pause` lets it come to rest first.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+    fun `snapshot`(): kotlin.ByteArray
 
     /**
      * Records from now on what the book is given, and a hash a step. It is opened anew at its page for that.
@@ -1786,15 +1804,6 @@ public interface BookInterface {
     fun `stateHash`(): kotlin.ULong
 
     /**
-     * Lets time pass until `now_us`, the time of the frame to be drawn, and makes the mesh if it changed.
-     *
-     * # Errors
-     *
-     * `Closed`, `Panicked`.
-     */
-    fun `step`(`nowUs`: kotlin.ULong): FrameInfo
-
-    /**
      * Ends the recording: the bytes of a `.dlr` file, which `dogleaf replay` runs again.
      *
      * # Errors
@@ -1802,15 +1811,6 @@ public interface BookInterface {
      * `Recording`: none was started, or a panic or a restore dropped it; `Closed`.
      */
     fun `stopRecording`(): kotlin.ByteArray
-
-    /**
-     * Turns leaves on, or back, as a key or a screen reader asks for.
-     *
-     * # Errors
-     *
-     * `Busy` while a leaf is in the air; `NoSuchPage` at either end; `Paused`; `Closed`.
-     */
-    fun `turn`(`forward`: kotlin.Boolean, `leaves`: kotlin.UShort)
 
     companion object
 }
@@ -1966,27 +1966,6 @@ open class Book: Disposable, AutoCloseable, BookInterface
 
 
     /**
-     * Whether everything is at rest.
-     *
-     * # Errors
-     *
-     * `Closed`.
-     */
-    @Throws(DogleafException::class)override fun `isSleeping`(): kotlin.Boolean {
-            return FfiConverterBoolean.lift(
-    callWithHandle {
-    uniffiRustCallWithError(DogleafException) { _status ->
-    UniffiLib.uniffi_dogleaf_ffi_fn_method_book_is_sleeping(
-        it,
-        _status)
-}
-    }
-    )
-    }
-
-
-
-    /**
      * Looks from elsewhere, in a view of this size.
      *
      * # Errors
@@ -2094,68 +2073,6 @@ open class Book: Disposable, AutoCloseable, BookInterface
 
 
     /**
-     * Page the book is open at.
-     *
-     * # Errors
-     *
-     * `Closed`.
-     */
-    @Throws(DogleafException::class)override fun `page`(): kotlin.UInt {
-            return FfiConverterUInt.lift(
-    callWithHandle {
-    uniffiRustCallWithError(DogleafException) { _status ->
-    UniffiLib.uniffi_dogleaf_ffi_fn_method_book_page(
-        it,
-        _status)
-}
-    }
-    )
-    }
-
-
-
-    /**
-     * Pages of the book.
-     *
-     * # Errors
-     *
-     * `Closed`.
-     */
-    @Throws(DogleafException::class)override fun `pages`(): kotlin.UInt {
-            return FfiConverterUInt.lift(
-    callWithHandle {
-    uniffiRustCallWithError(DogleafException) { _status ->
-    UniffiLib.uniffi_dogleaf_ffi_fn_method_book_pages(
-        it,
-        _status)
-}
-    }
-    )
-    }
-
-
-
-    /**
-     * The app goes into the background: fingers are taken away, the leaf comes to rest.
-     *
-     * # Errors
-     *
-     * `Closed`.
-     */
-    @Throws(DogleafException::class)override fun `pause`()
-        =
-    callWithHandle {
-    uniffiRustCallWithError(DogleafException) { _status ->
-    UniffiLib.uniffi_dogleaf_ffi_fn_method_book_pause(
-        it,
-        _status)
-}
-    }
-
-
-
-
-    /**
      * What the mesh is made of. Ask again when `pieces_generation` moved.
      *
      * # Errors
@@ -2219,27 +2136,6 @@ open class Book: Disposable, AutoCloseable, BookInterface
 
 
     /**
-     * Share of the book that is read, 0 to 1: what the two fore-edges show.
-     *
-     * # Errors
-     *
-     * `Closed`.
-     */
-    @Throws(DogleafException::class)override fun `progress`(): kotlin.Double {
-            return FfiConverterDouble.lift(
-    callWithHandle {
-    uniffiRustCallWithError(DogleafException) { _status ->
-    UniffiLib.uniffi_dogleaf_ffi_fn_method_book_progress(
-        it,
-        _status)
-}
-    }
-    )
-    }
-
-
-
-    /**
      * The picture the app has is lost (a GL context, say): the next `step` asks to draw.
      *
      * # Errors
@@ -2275,47 +2171,6 @@ open class Book: Disposable, AutoCloseable, BookInterface
 
         FfiConverterUInt.lower(`widthPx`),
         FfiConverterUInt.lower(`heightPx`),_status)
-}
-    }
-
-
-
-
-    /**
-     * Opens the book of a snapshot in place of this one; a recording under way is dropped.
-     *
-     * # Errors
-     *
-     * `Recording`: these bytes are no snapshot of this version, and nothing was changed; `Closed`.
-     */
-    @Throws(DogleafException::class)override fun `restore`(`bytes`: kotlin.ByteArray)
-        =
-    callWithHandle {
-    uniffiRustCallWithError(DogleafException) { _status ->
-    UniffiLib.uniffi_dogleaf_ffi_fn_method_book_restore(
-        it,
-
-        FfiConverterByteArray.lower(`bytes`),_status)
-}
-    }
-
-
-
-
-    /**
-     * The app is back. Time that passed meanwhile does not count.
-     *
-     * # Errors
-     *
-     * `Closed`.
-     */
-    @Throws(DogleafException::class)override fun `resume`()
-        =
-    callWithHandle {
-    uniffiRustCallWithError(DogleafException) { _status ->
-    UniffiLib.uniffi_dogleaf_ffi_fn_method_book_resume(
-        it,
-        _status)
 }
     }
 
@@ -2379,27 +2234,6 @@ open class Book: Disposable, AutoCloseable, BookInterface
 
 
     /**
-     * What `restore` needs, some 300 bytes. A leaf in the air counts as put back: `pause` lets it come to rest first.
-     *
-     * # Errors
-     *
-     * `Closed`.
-     */
-    @Throws(DogleafException::class)override fun `snapshot`(): kotlin.ByteArray {
-            return FfiConverterByteArray.lift(
-    callWithHandle {
-    uniffiRustCallWithError(DogleafException) { _status ->
-    UniffiLib.uniffi_dogleaf_ffi_fn_method_book_snapshot(
-        it,
-        _status)
-}
-    }
-    )
-    }
-
-
-
-    /**
      * What stands around the book, for the renderer. Ask again after `look` and `resize`.
      *
      * # Errors
@@ -2411,6 +2245,216 @@ open class Book: Disposable, AutoCloseable, BookInterface
     callWithHandle {
     uniffiRustCallWithError(DogleafException) { _status ->
     UniffiLib.uniffi_dogleaf_ffi_fn_method_book_stage(
+        it,
+        _status)
+}
+    }
+    )
+    }
+
+
+
+    /**
+     * Lets time pass until `now_us`, the time of the frame to be drawn, and makes the mesh if it changed.
+     *
+     * # Errors
+     *
+     * `Closed`, `Panicked`.
+     */
+    @Throws(DogleafException::class)override fun `step`(`nowUs`: kotlin.ULong): FrameInfo {
+            return FfiConverterTypeFrameInfo.lift(
+    callWithHandle {
+    uniffiRustCallWithError(DogleafException) { _status ->
+    UniffiLib.uniffi_dogleaf_ffi_fn_method_book_step(
+        it,
+
+        FfiConverterULong.lower(`nowUs`),_status)
+}
+    }
+    )
+    }
+
+
+
+    /**
+     * Turns leaves on, or back, as a key or a screen reader asks for.
+     *
+     * # Errors
+     *
+     * `Busy` while a leaf is in the air; `NoSuchPage` at either end; `Paused`; `Closed`.
+     */
+    @Throws(DogleafException::class)override fun `turn`(`forward`: kotlin.Boolean, `leaves`: kotlin.UShort)
+        =
+    callWithHandle {
+    uniffiRustCallWithError(DogleafException) { _status ->
+    UniffiLib.uniffi_dogleaf_ffi_fn_method_book_turn(
+        it,
+
+        FfiConverterBoolean.lower(`forward`),
+        FfiConverterUShort.lower(`leaves`),_status)
+}
+    }
+
+
+
+
+    /**
+     * Whether everything is at rest.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+    @Throws(DogleafException::class)override fun `isSleeping`(): kotlin.Boolean {
+            return FfiConverterBoolean.lift(
+    callWithHandle {
+    uniffiRustCallWithError(DogleafException) { _status ->
+    UniffiLib.uniffi_dogleaf_ffi_fn_method_book_is_sleeping(
+        it,
+        _status)
+}
+    }
+    )
+    }
+
+
+
+    /**
+     * Page the book is open at.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+    @Throws(DogleafException::class)override fun `page`(): kotlin.UInt {
+            return FfiConverterUInt.lift(
+    callWithHandle {
+    uniffiRustCallWithError(DogleafException) { _status ->
+    UniffiLib.uniffi_dogleaf_ffi_fn_method_book_page(
+        it,
+        _status)
+}
+    }
+    )
+    }
+
+
+
+    /**
+     * Pages of the book.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+    @Throws(DogleafException::class)override fun `pages`(): kotlin.UInt {
+            return FfiConverterUInt.lift(
+    callWithHandle {
+    uniffiRustCallWithError(DogleafException) { _status ->
+    UniffiLib.uniffi_dogleaf_ffi_fn_method_book_pages(
+        it,
+        _status)
+}
+    }
+    )
+    }
+
+
+
+    /**
+     * The app goes into the background: fingers are taken away, the leaf comes to rest.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+    @Throws(DogleafException::class)override fun `pause`()
+        =
+    callWithHandle {
+    uniffiRustCallWithError(DogleafException) { _status ->
+    UniffiLib.uniffi_dogleaf_ffi_fn_method_book_pause(
+        it,
+        _status)
+}
+    }
+
+
+
+
+    /**
+     * Share of the book that is read, 0 to 1: what the two fore-edges show.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+    @Throws(DogleafException::class)override fun `progress`(): kotlin.Double {
+            return FfiConverterDouble.lift(
+    callWithHandle {
+    uniffiRustCallWithError(DogleafException) { _status ->
+    UniffiLib.uniffi_dogleaf_ffi_fn_method_book_progress(
+        it,
+        _status)
+}
+    }
+    )
+    }
+
+
+
+    /**
+     * Opens the book of a snapshot in place of this one; a recording under way is dropped.
+     *
+     * # Errors
+     *
+     * `Recording`: these bytes are no snapshot of this version, and nothing was changed; `Closed`.
+     */
+    @Throws(DogleafException::class)override fun `restore`(`bytes`: kotlin.ByteArray)
+        =
+    callWithHandle {
+    uniffiRustCallWithError(DogleafException) { _status ->
+    UniffiLib.uniffi_dogleaf_ffi_fn_method_book_restore(
+        it,
+
+        FfiConverterByteArray.lower(`bytes`),_status)
+}
+    }
+
+
+
+
+    /**
+     * The app is back. Time that passed meanwhile does not count.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+    @Throws(DogleafException::class)override fun `resume`()
+        =
+    callWithHandle {
+    uniffiRustCallWithError(DogleafException) { _status ->
+    UniffiLib.uniffi_dogleaf_ffi_fn_method_book_resume(
+        it,
+        _status)
+}
+    }
+
+
+
+
+    /**
+     * What `restore` needs, some 300 bytes. A leaf in the air counts as put back: `pause` lets it come to rest first.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+    @Throws(DogleafException::class)override fun `snapshot`(): kotlin.ByteArray {
+            return FfiConverterByteArray.lift(
+    callWithHandle {
+    uniffiRustCallWithError(DogleafException) { _status ->
+    UniffiLib.uniffi_dogleaf_ffi_fn_method_book_snapshot(
         it,
         _status)
 }
@@ -2462,28 +2506,6 @@ open class Book: Disposable, AutoCloseable, BookInterface
 
 
     /**
-     * Lets time pass until `now_us`, the time of the frame to be drawn, and makes the mesh if it changed.
-     *
-     * # Errors
-     *
-     * `Closed`, `Panicked`.
-     */
-    @Throws(DogleafException::class)override fun `step`(`nowUs`: kotlin.ULong): FrameInfo {
-            return FfiConverterTypeFrameInfo.lift(
-    callWithHandle {
-    uniffiRustCallWithError(DogleafException) { _status ->
-    UniffiLib.uniffi_dogleaf_ffi_fn_method_book_step(
-        it,
-
-        FfiConverterULong.lower(`nowUs`),_status)
-}
-    }
-    )
-    }
-
-
-
-    /**
      * Ends the recording: the bytes of a `.dlr` file, which `dogleaf replay` runs again.
      *
      * # Errors
@@ -2501,28 +2523,6 @@ open class Book: Disposable, AutoCloseable, BookInterface
     }
     )
     }
-
-
-
-    /**
-     * Turns leaves on, or back, as a key or a screen reader asks for.
-     *
-     * # Errors
-     *
-     * `Busy` while a leaf is in the air; `NoSuchPage` at either end; `Paused`; `Closed`.
-     */
-    @Throws(DogleafException::class)override fun `turn`(`forward`: kotlin.Boolean, `leaves`: kotlin.UShort)
-        =
-    callWithHandle {
-    uniffiRustCallWithError(DogleafException) { _status ->
-    UniffiLib.uniffi_dogleaf_ffi_fn_method_book_turn(
-        it,
-
-        FfiConverterBoolean.lower(`forward`),
-        FfiConverterUShort.lower(`leaves`),_status)
-}
-    }
-
 
 
 
