@@ -6,7 +6,7 @@ use crate::tally::Tally;
 use crate::words::{self, Result, Stop, no_args};
 
 /// Cheap words first; then in the order in which they can use each other's builds.
-const ORDER: [&[&str]; 15] = [
+const ORDER: [&[&str]; 16] = [
     &["fmt", "--check"],
     &["tree"],
     &["slots", "--check"],
@@ -21,6 +21,7 @@ const ORDER: [&[&str]; 15] = [
     &["wasm"],
     &["bindings", "--check"],
     &["android"],
+    &["android-size"],
     &["fuzz"],
 ];
 

@@ -103,7 +103,7 @@ const WORDS: &[Word] = &[
     Word {
         name: "android",
         args: "",
-        about: "the Kotlin shell on a JVM, drawing on Mesa; then android-size",
+        about: "the Kotlin shell on a JVM, drawing on Mesa",
         run: android::android,
     },
     Word {

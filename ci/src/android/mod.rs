@@ -1,5 +1,5 @@
-//! `android`: the Kotlin shell on a plain JVM, its renderer on Mesa without a window; then what a phone would load is
-//! weighed (`android-size`).
+//! `android`: the Kotlin shell on a plain JVM, its renderer on Mesa without a window. `android-size`: what a phone would
+//! load is weighed.
 
 mod size;
 
@@ -31,11 +31,6 @@ pub(crate) fn android(args: &[String]) -> Result {
     let (result, mut tally) = run_counting(&mut c);
     result.map_err(|why| Stop::Failed(why, tally))?;
     tally += reports()?;
-    match size(&[]) {
-        // What a phone would load is weighed wherever that can be linked; the tests ran all the same.
-        Err(Stop::Skipped(why)) => println!("SKIPPED android-size: {why}"),
-        other => drop(other?),
-    }
     Ok(tally)
 }
 
