@@ -4,7 +4,8 @@ use std::fmt::Write as _;
 
 use crate::tally::Tally;
 use crate::{
-    all, desktop, fuzz, hashes, no_std, peers, seed_slots, size, slots, style, tests, tree,
+    all, android, bindings, desktop, fuzz, hashes, no_std, peers, seed_slots, size, slots, style,
+    tests, tree,
 };
 
 /// Why a word did not pass.
@@ -92,6 +93,24 @@ const WORDS: &[Word] = &[
         args: "",
         about: "microseconds a step in node, with vectors and without",
         run: hashes::wasm,
+    },
+    Word {
+        name: "bindings",
+        args: "[--check]",
+        about: "write (or compare) what uniffi makes of ffi/ for Kotlin and Swift",
+        run: bindings::bindings,
+    },
+    Word {
+        name: "android",
+        args: "",
+        about: "the Kotlin shell on a JVM, drawing on Mesa",
+        run: android::android,
+    },
+    Word {
+        name: "android-size",
+        args: "",
+        about: "what a phone would load: bytes, alignment, exports, a table",
+        run: android::size,
     },
     Word {
         name: "soak",
