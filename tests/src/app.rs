@@ -5,7 +5,7 @@ use dogleaf_core::grid::G11x8;
 use dogleaf_core::hand::{Sample, View};
 use dogleaf_core::reading::{Motion, Notice, Tape, Tick};
 use dogleaf_core::record::Setup;
-use dogleaf_core::scene::{BookSpec, Fidelity, Handling};
+use dogleaf_core::scene::BookSpec;
 
 use crate::gesture::{Gesture, Scene};
 
@@ -20,7 +20,7 @@ pub const FRAME_US: u64 = 16_667;
 /// A book of sixty pages as an app opens it.
 pub fn setup() -> Setup {
     let book = BookSpec { pages: 60, open_at: 20, ..BookSpec::default() };
-    Setup { fidelity: Fidelity::Fine, handling: Handling::FINGER, ..Setup::reading(book, 960, 720) }
+    Setup::fingers(book, 960, 720)
 }
 
 /// Opens a book.

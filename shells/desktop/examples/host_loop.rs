@@ -55,5 +55,5 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 }
 
 fn open(paper: &mut Paper) -> Result<(), RecordError> {
-    paper.open(&Setup::reading(BookSpec { pages: 24, open_at: 8, ..BookSpec::default() }, 960, 720))
+    paper.open(&Setup::fingers(BookSpec { pages: 24, open_at: 8, ..BookSpec::default() }, 960, 720))
 }
