@@ -6,7 +6,7 @@ use crate::tally::Tally;
 use crate::words::{self, Result, Stop, no_args};
 
 /// Cheap words first; then in the order in which they can use each other's builds.
-const ORDER: [&[&str]; 13] = [
+const ORDER: [&[&str]; 14] = [
     &["fmt", "--check"],
     &["tree"],
     &["slots", "--check"],
@@ -19,6 +19,7 @@ const ORDER: [&[&str]; 13] = [
     &["hashes"],
     &["size"],
     &["wasm"],
+    &["swift"],
     &["fuzz"],
 ];
 

@@ -14,6 +14,7 @@ mod size;
 mod slots;
 mod source;
 mod style;
+mod swift;
 mod tally;
 mod tests;
 mod tools;

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::tally::Tally;
-use crate::{all, fuzz, hashes, no_std, peers, seed_slots, size, slots, style, tests, tree};
+use crate::{all, fuzz, hashes, no_std, peers, seed_slots, size, slots, style, swift, tests, tree};
 
 /// Why a word did not pass.
 #[derive(Debug)]
@@ -90,6 +90,12 @@ const WORDS: &[Word] = &[
         args: "",
         about: "microseconds a step in node, with vectors and without",
         run: hashes::wasm,
+    },
+    Word {
+        name: "swift",
+        args: "[--bless]",
+        about: "the Swift shell: its sources, its shaders (or write them), its library",
+        run: swift::swift,
     },
     Word {
         name: "soak",
