@@ -12,7 +12,7 @@ final class PageTurn: NSObject, MTKViewDelegate {
 
     init(pages: Int, view: MTKView, device: MTLDevice, picture: @escaping (Int) -> PagePicture?, committed: @escaping (Int) -> Void) throws {
         let size = view.drawableSize
-        book = try Book.open(options: bookOptions(pages: UInt32(pages), widthPx: UInt32(size.width), heightPx: UInt32(size.height)))
+        book = try Book.open(options: bookOptions(pages: UInt32(pages), widthPx: UInt32(max(1, size.width)), heightPx: UInt32(max(1, size.height))))
         renderer = try BookRenderer(book: book, device: device)
         (self.picture, self.committed) = (picture, committed)
         super.init()

@@ -54,10 +54,12 @@ extension BookView {
     }
 
     /// Three fingers of a screen reader's user turn a page.
-    public override func accessibilityScroll(_ direction: UIAccessibilityScrollDirection) -> Bool {
-        switch direction {
-        case .left, .next, .down: return turn(forward: true)
-        case .right, .previous, .up: return turn(forward: false)
+    public override func accessibilityScroll(_ way: UIAccessibilityScrollDirection) -> Bool {
+        switch way {
+        case .left: return turn(forward: direction == .ltr)
+        case .right: return turn(forward: direction == .rtl)
+        case .next, .down: return turn(forward: true)
+        case .previous, .up: return turn(forward: false)
         @unknown default: return false
         }
     }

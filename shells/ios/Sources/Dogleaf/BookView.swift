@@ -17,6 +17,8 @@ public final class BookView: MTKView {
     public var onError: ((Error) -> Void)?
     /// What moves; `nil` follows the system's "Reduce Motion".
     public var preferredMotion: Motion? { didSet { followMotion() } }
+    /// Which way the publication is read: what a screen reader's swipe to the left means.
+    public var direction = Direction.ltr
     /// Whether fingers feel the paper.
     public var hasHaptics = true
     /// What a screen reader says of a page, counted from 1, of a book with so many pages.
