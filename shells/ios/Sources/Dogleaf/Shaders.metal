@@ -411,12 +411,7 @@ struct Shading {
         float4 lit = float4(0.0);
         float4 behind = float4(0.0);
         float inside = 1.0 - 2.0 / SKY_SIDE;
-        for (int k = 0; k < SKY_MAPS; k++) {
-            // Eight directions from all over the sky come first. Where all of them are open, so is the sky.
-            if (k == 8 && lit.w + behind.w == lit.z + behind.z) {
-                return float2(1.0);
-            }
-            int i = k * 4 % SKY_MAPS + k / 8;
+        for (int i = 0; i < SKY_MAPS; i++) {
             float slant = dot(normal, SKY[i].xyz);
             bool faces = slant > 0.0;
             if (!faces && passing <= 0.0) {
@@ -530,8 +525,8 @@ struct Shading {
     // Compresses what is brighter than the knee, so that nothing clips hard.
     float shoulder(float light) {
         const float KNEE = 0.72;
-        float room = 1.0 - KNEE;
-        return light <= KNEE ? max(light, 0.0) : KNEE + room * (1.0 - exp((KNEE - light) / room));
+        float above = 1.0 - KNEE;
+        return light <= KNEE ? max(light, 0.0) : KNEE + above * (1.0 - exp((KNEE - light) / above));
     }
 
     float byteOf(float light) {
