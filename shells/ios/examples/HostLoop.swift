@@ -16,8 +16,7 @@ final class PageTurn: NSObject, MTKViewDelegate {
         renderer = try BookRenderer(book: book, device: device)
         (self.picture, self.committed) = (picture, committed)
         super.init()
-        view.device = device
-        view.depthStencilPixelFormat = .depth32Float
+        (view.device, view.depthStencilPixelFormat, view.sampleCount) = (device, .depth32Float, 4)
         view.delegate = self
     }
 

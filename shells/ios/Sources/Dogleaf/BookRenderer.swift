@@ -42,15 +42,16 @@ public final class BookRenderer {
     /// Half a side of the table, metres.
     private static let tableM: Float = 3
 
-    /// A renderer for targets of these formats, without multisampling. `depth` is that of the pass's depth attachment.
+    /// A renderer for targets of these formats, with so many samples a pixel. `depth` is that of the pass's depth attachment.
     ///
     /// Throws ``RendererError``, ``DogleafError``, or what Metal says.
     public init(
-        book: Book, device: MTLDevice, colour: MTLPixelFormat = .bgra8Unorm, depth: MTLPixelFormat = .depth32Float
+        book: Book, device: MTLDevice, colour: MTLPixelFormat = .bgra8Unorm,
+        depth: MTLPixelFormat = .depth32Float, samples: Int = 4
     ) throws {
         guard let queue = device.makeCommandQueue() else { throw RendererError.outOfMemory }
         (self.book, self.device, self.queue) = (book, device, queue)
-        pipelines = try Pipelines(device: device, colour: colour, depth: depth)
+        pipelines = try Pipelines(device: device, colour: colour, depth: depth, samples: samples)
         pictures = try Pictures(device: device, queue: queue, pipelines: pipelines)
         lampMaps = try DepthMaps(device: device, count: Self.lamps, across: 4, side: 512)
         skyMaps = try DepthMaps(device: device, count: Self.skies, across: 8, side: 192)

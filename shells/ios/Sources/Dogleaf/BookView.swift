@@ -41,6 +41,7 @@ public final class BookView: MTKView {
         super.init(frame: frame, device: device)
         colorPixelFormat = .bgra8Unorm
         depthStencilPixelFormat = .depth32Float
+        sampleCount = 4
         enableSetNeedsDisplay = false
         isPaused = true
         isMultipleTouchEnabled = true

@@ -21,19 +21,21 @@ struct Pipelines {
 
     static let grainFormat = MTLPixelFormat.rgba8Unorm
 
-    init(device: MTLDevice, colour: MTLPixelFormat, depth: MTLPixelFormat) throws {
+    init(device: MTLDevice, colour: MTLPixelFormat, depth: MTLPixelFormat, samples: Int) throws {
         let library = try Self.library(device)
         func pipeline(
-            _ vertex: String, _ fragment: String?, _ colour: MTLPixelFormat, _ depth: MTLPixelFormat
+            _ vertex: String, _ fragment: String?, _ colour: MTLPixelFormat, _ depth: MTLPixelFormat,
+            samples: Int = 1
         ) throws -> MTLRenderPipelineState {
             let of = MTLRenderPipelineDescriptor()
             of.vertexFunction = try Self.function(vertex, in: library)
             of.fragmentFunction = try fragment.map { try Self.function($0, in: library) }
             of.colorAttachments[0].pixelFormat = colour
             of.depthAttachmentPixelFormat = depth
+            of.rasterSampleCount = samples
             return try device.makeRenderPipelineState(descriptor: of)
         }
-        page = try pipeline("page_vertex", "page_fragment", colour, depth)
+        page = try pipeline("page_vertex", "page_fragment", colour, depth, samples: samples)
         shadow = try pipeline("shadow_vertex", nil, .invalid, DepthMaps.format)
         grain = try pipeline("grain_vertex", "grain_fragment", Self.grainFormat, .invalid)
         let less = MTLDepthStencilDescriptor()
