@@ -97,9 +97,11 @@ public final class BookView: MTKView {
     }
 
     @objc func goOn() {
+        guard window != nil else { return }
         attempt {
             try book.resume()
             try book.redraw()
+            readOut(Int(try book.page()))
         }
         wake()
     }
@@ -139,10 +141,11 @@ public final class BookView: MTKView {
         onNotice?(notice)
     }
 
-    /// What the screen reader says of the page that was turned to.
+    /// What the screen reader says of the two pages that are open; the left one stands before `page`.
     private func readOut(_ page: Int) {
         pictureQueue.async { [weak self, source] in
-            let text = source.text(page: page)
+            let open = [page - 1, page].filter { $0 >= 0 && $0 < source.pageCount }
+            let text = open.compactMap { source.text(page: $0) }.joined(separator: "\n")
             DispatchQueue.main.async { self?.accessibilityLabel = text }
         }
     }
