@@ -5,7 +5,7 @@ use dogleaf_tests::house::{LONGEST, Rooms, Source, complaints, sources};
 use std::path::{Path, PathBuf};
 
 /// Folders with Rust of ours.
-const FOLDERS: [&str; 4] = ["core", "shells", "ci", "tests"];
+const FOLDERS: [&str; 5] = ["core", "ffi", "shells", "ci", "tests"];
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")

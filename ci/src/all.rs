@@ -6,7 +6,7 @@ use crate::tally::Tally;
 use crate::words::{self, Result, Stop, no_args};
 
 /// Cheap words first; then in the order in which they can use each other's builds.
-const ORDER: [&[&str]; 14] = [
+const ORDER: [&[&str]; 18] = [
     &["fmt", "--check"],
     &["tree"],
     &["slots", "--check"],
@@ -19,8 +19,12 @@ const ORDER: [&[&str]; 14] = [
     &["hashes"],
     &["size"],
     &["wasm"],
+    &["bindings", "--check"],
+    &["android"],
+    &["android-size"],
     &["swift"],
     &["fuzz"],
+    &["desktop"],
 ];
 
 /// `cargo ci all`. A word counts as one, and each test that it ran as one more.

@@ -3,7 +3,10 @@
 //! A Rust program and not a `justfile`, so that nothing but cargo is needed.
 
 mod all;
+mod android;
 mod bans;
+mod bindings;
+mod desktop;
 mod fuzz;
 mod hashes;
 mod no_std;

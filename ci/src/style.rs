@@ -13,6 +13,8 @@ use crate::words::{Result, flag, no_args};
 const PEERS: &str = "ci/peers/Cargo.toml";
 /// So do the fuzz targets, which are built in a way of their own.
 const FUZZ: &str = "tests/fuzz/Cargo.toml";
+/// The generator of bindings.
+const BINDGEN: &str = crate::bindings::MANIFEST;
 /// And what is built for many targets.
 const PROBE: &str = "tests/probe/Cargo.toml";
 const EINK: &str = "shells/eink/Cargo.toml";
@@ -29,7 +31,8 @@ pub(crate) fn fmt(args: &[String]) -> Result {
         c
     };
     let apart = |manifest| with(&["--manifest-path", manifest]);
-    run_each([with(&["--all"]), apart(PEERS), apart(FUZZ), apart(PROBE), apart(EINK)])?;
+    let outside = [PEERS, FUZZ, PROBE, EINK, BINDGEN].map(apart);
+    run_each([with(&["--all"])].into_iter().chain(outside))?;
     Ok(Tally::default())
 }
 

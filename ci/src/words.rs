@@ -3,7 +3,10 @@
 use std::fmt::Write as _;
 
 use crate::tally::Tally;
-use crate::{all, fuzz, hashes, no_std, peers, seed_slots, size, slots, style, swift, tests, tree};
+use crate::{
+    all, android, bindings, desktop, fuzz, hashes, no_std, peers, seed_slots, size, slots, style,
+    swift, tests, tree,
+};
 
 /// Why a word did not pass.
 #[derive(Debug)]
@@ -92,6 +95,24 @@ const WORDS: &[Word] = &[
         run: hashes::wasm,
     },
     Word {
+        name: "bindings",
+        args: "[--check]",
+        about: "write (or compare) what uniffi makes of ffi/ for Kotlin and Swift",
+        run: bindings::bindings,
+    },
+    Word {
+        name: "android",
+        args: "",
+        about: "the Kotlin shell on a JVM, drawing on Mesa",
+        run: android::android,
+    },
+    Word {
+        name: "android-size",
+        args: "",
+        about: "what a phone would load: bytes, alignment, exports, a table",
+        run: android::size,
+    },
+    Word {
         name: "swift",
         args: "[--bless]",
         about: "the Swift shell: its sources, its shaders (or write them), its library",
@@ -114,6 +135,12 @@ const WORDS: &[Word] = &[
         args: "",
         about: "orders of convergence, the golden table of costs, a quick report",
         run: tests::cost,
+    },
+    Word {
+        name: "desktop",
+        args: "",
+        about: "the desktop shell: its pictures against the reference, a window, the check for Android",
+        run: desktop::desktop,
     },
     Word {
         name: "peers",

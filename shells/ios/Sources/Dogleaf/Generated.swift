@@ -676,15 +676,6 @@ public protocol BookProtocol: AnyObject, Sendable {
     func indices() throws  -> IndexView
 
     /**
-     * Whether everything is at rest.
-     *
-     * # Errors
-     *
-     * `Closed`.
-     */
-    func isSleeping() throws  -> Bool
-
-    /**
      * Looks from elsewhere, in a view of this size.
      *
      * # Errors
@@ -730,33 +721,6 @@ public protocol BookProtocol: AnyObject, Sendable {
     func notices() throws  -> [Notice]
 
     /**
-     * Page the book is open at.
-     *
-     * # Errors
-     *
-     * `Closed`.
-     */
-    func page() throws  -> UInt32
-
-    /**
-     * Pages of the book.
-     *
-     * # Errors
-     *
-     * `Closed`.
-     */
-    func pages() throws  -> UInt32
-
-    /**
-     * The app goes into the background: fingers are taken away, the leaf comes to rest.
-     *
-     * # Errors
-     *
-     * `Closed`.
-     */
-    func pause() throws
-
-    /**
      * What the mesh is made of. Ask again when `pieces_generation` moved.
      *
      * # Errors
@@ -784,15 +748,6 @@ public protocol BookProtocol: AnyObject, Sendable {
     func pointers(samples: [PointerSample]) throws
 
     /**
-     * Share of the book that is read, 0 to 1: what the two fore-edges show.
-     *
-     * # Errors
-     *
-     * `Closed`.
-     */
-    func progress() throws  -> Double
-
-    /**
      * The picture the app has is lost (a GL context, say): the next `step` asks to draw.
      *
      * # Errors
@@ -809,24 +764,6 @@ public protocol BookProtocol: AnyObject, Sendable {
      * As `look`.
      */
     func resize(widthPx: UInt32, heightPx: UInt32) throws
-
-    /**
-     * Opens the book of a snapshot in place of this one; a recording under way is dropped.
-     *
-     * # Errors
-     *
-     * `Recording`: these bytes are no snapshot of this version, and nothing was changed; `Closed`.
-     */
-    func restore(bytes: Data) throws
-
-    /**
-     * The app is back. Time that passed meanwhile does not count.
-     *
-     * # Errors
-     *
-     * `Closed`.
-     */
-    func resume() throws
 
     /**
      * Changes it, also in the middle of a turn.
@@ -852,15 +789,6 @@ public protocol BookProtocol: AnyObject, Sendable {
     func skip() throws
 
     /**
-     * What `restore` needs, some 300 bytes. A leaf in the air counts as put back: `pause` lets it come to rest first.
-     *
-     * # Errors
-     *
-     * `Closed`.
-     */
-    func snapshot() throws  -> Data
-
-    /**
      * What stands around the book, for the renderer. Ask again after `look` and `resize`.
      *
      * # Errors
@@ -868,6 +796,96 @@ public protocol BookProtocol: AnyObject, Sendable {
      * `Closed`.
      */
     func stage() throws  -> Stage
+
+    /**
+     * Lets time pass until `now_us`, the time of the frame to be drawn, and makes the mesh if it changed.
+     *
+     * # Errors
+     *
+     * `Closed`, `Panicked`.
+     */
+    func step(nowUs: UInt64) throws  -> FrameInfo
+
+    /**
+     * Turns leaves on, or back, as a key or a screen reader asks for.
+     *
+     * # Errors
+     *
+     * `Busy` while a leaf is in the air; `NoSuchPage` at either end; `Paused`; `Closed`.
+     */
+    func turn(forward: Bool, leaves: UInt16) throws
+
+    /**
+     * Whether everything is at rest.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+    func isSleeping() throws  -> Bool
+
+    /**
+     * Page the book is open at.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+    func page() throws  -> UInt32
+
+    /**
+     * Pages of the book.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+    func pages() throws  -> UInt32
+
+    /**
+     * The app goes into the background: fingers are taken away, the leaf comes to rest.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+    func pause() throws
+
+    /**
+     * Share of the book that is read, 0 to 1: what the two fore-edges show.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+    func progress() throws  -> Double
+
+    /**
+     * Opens the book of a snapshot in place of this one; a recording under way is dropped.
+     *
+     * # Errors
+     *
+     * `Recording`: these bytes are no snapshot of this version, and nothing was changed; `Closed`.
+     */
+    func restore(bytes: Data) throws
+
+    /**
+     * The app is back. Time that passed meanwhile does not count.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+    func resume() throws
+
+    /**
+     * What `restore` needs, some 300 bytes. A leaf in the air counts as put back: `pause` lets it come to rest first.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+    func snapshot() throws  -> Data
 
     /**
      * Records from now on what the book is given, and a hash a step. It is opened anew at its page for that.
@@ -888,15 +906,6 @@ public protocol BookProtocol: AnyObject, Sendable {
     func stateHash() throws  -> UInt64
 
     /**
-     * Lets time pass until `now_us`, the time of the frame to be drawn, and makes the mesh if it changed.
-     *
-     * # Errors
-     *
-     * `Closed`, `Panicked`.
-     */
-    func step(nowUs: UInt64) throws  -> FrameInfo
-
-    /**
      * Ends the recording: the bytes of a `.dlr` file, which `dogleaf replay` runs again.
      *
      * # Errors
@@ -904,15 +913,6 @@ public protocol BookProtocol: AnyObject, Sendable {
      * `Recording`: none was started, or a panic or a restore dropped it; `Closed`.
      */
     func stopRecording() throws  -> Data
-
-    /**
-     * Turns leaves on, or back, as a key or a screen reader asks for.
-     *
-     * # Errors
-     *
-     * `Busy` while a leaf is in the air; `NoSuchPage` at either end; `Paused`; `Closed`.
-     */
-    func turn(forward: Bool, leaves: UInt16) throws
 
 }
 /**
@@ -1039,22 +1039,6 @@ open func indices()throws  -> IndexView  {
 }
 
     /**
-     * Whether everything is at rest.
-     *
-     * # Errors
-     *
-     * `Closed`.
-     */
-open func isSleeping()throws  -> Bool  {
-    return try  FfiConverterBool.lift(try rustCallWithError(FfiConverterTypeDogleafError_lift) {
-        uniffiCallStatus in
-    uniffi_dogleaf_ffi_fn_method_book_is_sleeping(
-            self.uniffiCloneHandle(),uniffiCallStatus
-    )
-})
-}
-
-    /**
      * Looks from elsewhere, in a view of this size.
      *
      * # Errors
@@ -1137,53 +1121,6 @@ open func notices()throws  -> [Notice]  {
 }
 
     /**
-     * Page the book is open at.
-     *
-     * # Errors
-     *
-     * `Closed`.
-     */
-open func page()throws  -> UInt32  {
-    return try  FfiConverterUInt32.lift(try rustCallWithError(FfiConverterTypeDogleafError_lift) {
-        uniffiCallStatus in
-    uniffi_dogleaf_ffi_fn_method_book_page(
-            self.uniffiCloneHandle(),uniffiCallStatus
-    )
-})
-}
-
-    /**
-     * Pages of the book.
-     *
-     * # Errors
-     *
-     * `Closed`.
-     */
-open func pages()throws  -> UInt32  {
-    return try  FfiConverterUInt32.lift(try rustCallWithError(FfiConverterTypeDogleafError_lift) {
-        uniffiCallStatus in
-    uniffi_dogleaf_ffi_fn_method_book_pages(
-            self.uniffiCloneHandle(),uniffiCallStatus
-    )
-})
-}
-
-    /**
-     * The app goes into the background: fingers are taken away, the leaf comes to rest.
-     *
-     * # Errors
-     *
-     * `Closed`.
-     */
-open func pause()throws   {try rustCallWithError(FfiConverterTypeDogleafError_lift) {
-        uniffiCallStatus in
-    uniffi_dogleaf_ffi_fn_method_book_pause(
-            self.uniffiCloneHandle(),uniffiCallStatus
-    )
-}
-}
-
-    /**
      * What the mesh is made of. Ask again when `pieces_generation` moved.
      *
      * # Errors
@@ -1232,22 +1169,6 @@ open func pointers(samples: [PointerSample])throws   {try rustCallWithError(FfiC
 }
 
     /**
-     * Share of the book that is read, 0 to 1: what the two fore-edges show.
-     *
-     * # Errors
-     *
-     * `Closed`.
-     */
-open func progress()throws  -> Double  {
-    return try  FfiConverterDouble.lift(try rustCallWithError(FfiConverterTypeDogleafError_lift) {
-        uniffiCallStatus in
-    uniffi_dogleaf_ffi_fn_method_book_progress(
-            self.uniffiCloneHandle(),uniffiCallStatus
-    )
-})
-}
-
-    /**
      * The picture the app has is lost (a GL context, say): the next `step` asks to draw.
      *
      * # Errors
@@ -1275,37 +1196,6 @@ open func resize(widthPx: UInt32, heightPx: UInt32)throws   {try rustCallWithErr
             self.uniffiCloneHandle(),
         FfiConverterUInt32.lower(widthPx),
         FfiConverterUInt32.lower(heightPx),uniffiCallStatus
-    )
-}
-}
-
-    /**
-     * Opens the book of a snapshot in place of this one; a recording under way is dropped.
-     *
-     * # Errors
-     *
-     * `Recording`: these bytes are no snapshot of this version, and nothing was changed; `Closed`.
-     */
-open func restore(bytes: Data)throws   {try rustCallWithError(FfiConverterTypeDogleafError_lift) {
-        uniffiCallStatus in
-    uniffi_dogleaf_ffi_fn_method_book_restore(
-            self.uniffiCloneHandle(),
-        FfiConverterData.lower(bytes),uniffiCallStatus
-    )
-}
-}
-
-    /**
-     * The app is back. Time that passed meanwhile does not count.
-     *
-     * # Errors
-     *
-     * `Closed`.
-     */
-open func resume()throws   {try rustCallWithError(FfiConverterTypeDogleafError_lift) {
-        uniffiCallStatus in
-    uniffi_dogleaf_ffi_fn_method_book_resume(
-            self.uniffiCloneHandle(),uniffiCallStatus
     )
 }
 }
@@ -1353,22 +1243,6 @@ open func skip()throws   {try rustCallWithError(FfiConverterTypeDogleafError_lif
 }
 
     /**
-     * What `restore` needs, some 300 bytes. A leaf in the air counts as put back: `pause` lets it come to rest first.
-     *
-     * # Errors
-     *
-     * `Closed`.
-     */
-open func snapshot()throws  -> Data  {
-    return try  FfiConverterData.lift(try rustCallWithError(FfiConverterTypeDogleafError_lift) {
-        uniffiCallStatus in
-    uniffi_dogleaf_ffi_fn_method_book_snapshot(
-            self.uniffiCloneHandle(),uniffiCallStatus
-    )
-})
-}
-
-    /**
      * What stands around the book, for the renderer. Ask again after `look` and `resize`.
      *
      * # Errors
@@ -1379,6 +1253,166 @@ open func stage()throws  -> Stage  {
     return try  FfiConverterTypeStage_lift(try rustCallWithError(FfiConverterTypeDogleafError_lift) {
         uniffiCallStatus in
     uniffi_dogleaf_ffi_fn_method_book_stage(
+            self.uniffiCloneHandle(),uniffiCallStatus
+    )
+})
+}
+
+    /**
+     * Lets time pass until `now_us`, the time of the frame to be drawn, and makes the mesh if it changed.
+     *
+     * # Errors
+     *
+     * `Closed`, `Panicked`.
+     */
+open func step(nowUs: UInt64)throws  -> FrameInfo  {
+    return try  FfiConverterTypeFrameInfo_lift(try rustCallWithError(FfiConverterTypeDogleafError_lift) {
+        uniffiCallStatus in
+    uniffi_dogleaf_ffi_fn_method_book_step(
+            self.uniffiCloneHandle(),
+        FfiConverterUInt64.lower(nowUs),uniffiCallStatus
+    )
+})
+}
+
+    /**
+     * Turns leaves on, or back, as a key or a screen reader asks for.
+     *
+     * # Errors
+     *
+     * `Busy` while a leaf is in the air; `NoSuchPage` at either end; `Paused`; `Closed`.
+     */
+open func turn(forward: Bool, leaves: UInt16)throws   {try rustCallWithError(FfiConverterTypeDogleafError_lift) {
+        uniffiCallStatus in
+    uniffi_dogleaf_ffi_fn_method_book_turn(
+            self.uniffiCloneHandle(),
+        FfiConverterBool.lower(forward),
+        FfiConverterUInt16.lower(leaves),uniffiCallStatus
+    )
+}
+}
+
+    /**
+     * Whether everything is at rest.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+open func isSleeping()throws  -> Bool  {
+    return try  FfiConverterBool.lift(try rustCallWithError(FfiConverterTypeDogleafError_lift) {
+        uniffiCallStatus in
+    uniffi_dogleaf_ffi_fn_method_book_is_sleeping(
+            self.uniffiCloneHandle(),uniffiCallStatus
+    )
+})
+}
+
+    /**
+     * Page the book is open at.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+open func page()throws  -> UInt32  {
+    return try  FfiConverterUInt32.lift(try rustCallWithError(FfiConverterTypeDogleafError_lift) {
+        uniffiCallStatus in
+    uniffi_dogleaf_ffi_fn_method_book_page(
+            self.uniffiCloneHandle(),uniffiCallStatus
+    )
+})
+}
+
+    /**
+     * Pages of the book.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+open func pages()throws  -> UInt32  {
+    return try  FfiConverterUInt32.lift(try rustCallWithError(FfiConverterTypeDogleafError_lift) {
+        uniffiCallStatus in
+    uniffi_dogleaf_ffi_fn_method_book_pages(
+            self.uniffiCloneHandle(),uniffiCallStatus
+    )
+})
+}
+
+    /**
+     * The app goes into the background: fingers are taken away, the leaf comes to rest.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+open func pause()throws   {try rustCallWithError(FfiConverterTypeDogleafError_lift) {
+        uniffiCallStatus in
+    uniffi_dogleaf_ffi_fn_method_book_pause(
+            self.uniffiCloneHandle(),uniffiCallStatus
+    )
+}
+}
+
+    /**
+     * Share of the book that is read, 0 to 1: what the two fore-edges show.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+open func progress()throws  -> Double  {
+    return try  FfiConverterDouble.lift(try rustCallWithError(FfiConverterTypeDogleafError_lift) {
+        uniffiCallStatus in
+    uniffi_dogleaf_ffi_fn_method_book_progress(
+            self.uniffiCloneHandle(),uniffiCallStatus
+    )
+})
+}
+
+    /**
+     * Opens the book of a snapshot in place of this one; a recording under way is dropped.
+     *
+     * # Errors
+     *
+     * `Recording`: these bytes are no snapshot of this version, and nothing was changed; `Closed`.
+     */
+open func restore(bytes: Data)throws   {try rustCallWithError(FfiConverterTypeDogleafError_lift) {
+        uniffiCallStatus in
+    uniffi_dogleaf_ffi_fn_method_book_restore(
+            self.uniffiCloneHandle(),
+        FfiConverterData.lower(bytes),uniffiCallStatus
+    )
+}
+}
+
+    /**
+     * The app is back. Time that passed meanwhile does not count.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+open func resume()throws   {try rustCallWithError(FfiConverterTypeDogleafError_lift) {
+        uniffiCallStatus in
+    uniffi_dogleaf_ffi_fn_method_book_resume(
+            self.uniffiCloneHandle(),uniffiCallStatus
+    )
+}
+}
+
+    /**
+     * What `restore` needs, some 300 bytes. A leaf in the air counts as put back: `pause` lets it come to rest first.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+open func snapshot()throws  -> Data  {
+    return try  FfiConverterData.lift(try rustCallWithError(FfiConverterTypeDogleafError_lift) {
+        uniffiCallStatus in
+    uniffi_dogleaf_ffi_fn_method_book_snapshot(
             self.uniffiCloneHandle(),uniffiCallStatus
     )
 })
@@ -1416,23 +1450,6 @@ open func stateHash()throws  -> UInt64  {
 }
 
     /**
-     * Lets time pass until `now_us`, the time of the frame to be drawn, and makes the mesh if it changed.
-     *
-     * # Errors
-     *
-     * `Closed`, `Panicked`.
-     */
-open func step(nowUs: UInt64)throws  -> FrameInfo  {
-    return try  FfiConverterTypeFrameInfo_lift(try rustCallWithError(FfiConverterTypeDogleafError_lift) {
-        uniffiCallStatus in
-    uniffi_dogleaf_ffi_fn_method_book_step(
-            self.uniffiCloneHandle(),
-        FfiConverterUInt64.lower(nowUs),uniffiCallStatus
-    )
-})
-}
-
-    /**
      * Ends the recording: the bytes of a `.dlr` file, which `dogleaf replay` runs again.
      *
      * # Errors
@@ -1446,23 +1463,6 @@ open func stopRecording()throws  -> Data  {
             self.uniffiCloneHandle(),uniffiCallStatus
     )
 })
-}
-
-    /**
-     * Turns leaves on, or back, as a key or a screen reader asks for.
-     *
-     * # Errors
-     *
-     * `Busy` while a leaf is in the air; `NoSuchPage` at either end; `Paused`; `Closed`.
-     */
-open func turn(forward: Bool, leaves: UInt16)throws   {try rustCallWithError(FfiConverterTypeDogleafError_lift) {
-        uniffiCallStatus in
-    uniffi_dogleaf_ffi_fn_method_book_turn(
-            self.uniffiCloneHandle(),
-        FfiConverterBool.lower(forward),
-        FfiConverterUInt16.lower(leaves),uniffiCallStatus
-    )
-}
 }
 
 
@@ -4245,9 +4245,6 @@ private let initializationResult: InitializationResult = {
     if (uniffi_dogleaf_ffi_checksum_method_book_indices() != 35989) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_dogleaf_ffi_checksum_method_book_is_sleeping() != 21789) {
-        return InitializationResult.apiChecksumMismatch
-    }
     if (uniffi_dogleaf_ffi_checksum_method_book_look() != 51622) {
         return InitializationResult.apiChecksumMismatch
     }
@@ -4263,15 +4260,6 @@ private let initializationResult: InitializationResult = {
     if (uniffi_dogleaf_ffi_checksum_method_book_notices() != 60579) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_dogleaf_ffi_checksum_method_book_page() != 45214) {
-        return InitializationResult.apiChecksumMismatch
-    }
-    if (uniffi_dogleaf_ffi_checksum_method_book_pages() != 28294) {
-        return InitializationResult.apiChecksumMismatch
-    }
-    if (uniffi_dogleaf_ffi_checksum_method_book_pause() != 52848) {
-        return InitializationResult.apiChecksumMismatch
-    }
     if (uniffi_dogleaf_ffi_checksum_method_book_pieces() != 62353) {
         return InitializationResult.apiChecksumMismatch
     }
@@ -4281,19 +4269,10 @@ private let initializationResult: InitializationResult = {
     if (uniffi_dogleaf_ffi_checksum_method_book_pointers() != 6358) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_dogleaf_ffi_checksum_method_book_progress() != 23544) {
-        return InitializationResult.apiChecksumMismatch
-    }
     if (uniffi_dogleaf_ffi_checksum_method_book_redraw() != 45949) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_dogleaf_ffi_checksum_method_book_resize() != 55279) {
-        return InitializationResult.apiChecksumMismatch
-    }
-    if (uniffi_dogleaf_ffi_checksum_method_book_restore() != 44070) {
-        return InitializationResult.apiChecksumMismatch
-    }
-    if (uniffi_dogleaf_ffi_checksum_method_book_resume() != 40781) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_dogleaf_ffi_checksum_method_book_set_motion() != 30706) {
@@ -4305,25 +4284,46 @@ private let initializationResult: InitializationResult = {
     if (uniffi_dogleaf_ffi_checksum_method_book_skip() != 13195) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_dogleaf_ffi_checksum_method_book_snapshot() != 39793) {
-        return InitializationResult.apiChecksumMismatch
-    }
     if (uniffi_dogleaf_ffi_checksum_method_book_stage() != 10608) {
-        return InitializationResult.apiChecksumMismatch
-    }
-    if (uniffi_dogleaf_ffi_checksum_method_book_start_recording() != 4307) {
-        return InitializationResult.apiChecksumMismatch
-    }
-    if (uniffi_dogleaf_ffi_checksum_method_book_state_hash() != 14111) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_dogleaf_ffi_checksum_method_book_step() != 44993) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_dogleaf_ffi_checksum_method_book_stop_recording() != 1221) {
+    if (uniffi_dogleaf_ffi_checksum_method_book_turn() != 31739) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_dogleaf_ffi_checksum_method_book_turn() != 31739) {
+    if (uniffi_dogleaf_ffi_checksum_method_book_is_sleeping() != 64279) {
+        return InitializationResult.apiChecksumMismatch
+    }
+    if (uniffi_dogleaf_ffi_checksum_method_book_page() != 14272) {
+        return InitializationResult.apiChecksumMismatch
+    }
+    if (uniffi_dogleaf_ffi_checksum_method_book_pages() != 31148) {
+        return InitializationResult.apiChecksumMismatch
+    }
+    if (uniffi_dogleaf_ffi_checksum_method_book_pause() != 30605) {
+        return InitializationResult.apiChecksumMismatch
+    }
+    if (uniffi_dogleaf_ffi_checksum_method_book_progress() != 36228) {
+        return InitializationResult.apiChecksumMismatch
+    }
+    if (uniffi_dogleaf_ffi_checksum_method_book_restore() != 52926) {
+        return InitializationResult.apiChecksumMismatch
+    }
+    if (uniffi_dogleaf_ffi_checksum_method_book_resume() != 34033) {
+        return InitializationResult.apiChecksumMismatch
+    }
+    if (uniffi_dogleaf_ffi_checksum_method_book_snapshot() != 57871) {
+        return InitializationResult.apiChecksumMismatch
+    }
+    if (uniffi_dogleaf_ffi_checksum_method_book_start_recording() != 6046) {
+        return InitializationResult.apiChecksumMismatch
+    }
+    if (uniffi_dogleaf_ffi_checksum_method_book_state_hash() != 8682) {
+        return InitializationResult.apiChecksumMismatch
+    }
+    if (uniffi_dogleaf_ffi_checksum_method_book_stop_recording() != 10242) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_dogleaf_ffi_checksum_constructor_book_from_snapshot() != 17115) {

@@ -273,11 +273,6 @@ RustBuffer uniffi_dogleaf_ffi_fn_method_book_frame_words(uint64_t ptr, RustCallS
 RustBuffer uniffi_dogleaf_ffi_fn_method_book_indices(uint64_t ptr, RustCallStatus *_Nonnull out_status
 );
 #endif
-#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_IS_SLEEPING
-#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_IS_SLEEPING
-int8_t uniffi_dogleaf_ffi_fn_method_book_is_sleeping(uint64_t ptr, RustCallStatus *_Nonnull out_status
-);
-#endif
 #ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_LOOK
 #define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_LOOK
 void uniffi_dogleaf_ffi_fn_method_book_look(uint64_t ptr, RustBuffer gaze, uint32_t width_px, uint32_t height_px, RustCallStatus *_Nonnull out_status
@@ -303,21 +298,6 @@ int8_t uniffi_dogleaf_ffi_fn_method_book_needs_frame(uint64_t ptr, RustCallStatu
 RustBuffer uniffi_dogleaf_ffi_fn_method_book_notices(uint64_t ptr, RustCallStatus *_Nonnull out_status
 );
 #endif
-#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_PAGE
-#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_PAGE
-uint32_t uniffi_dogleaf_ffi_fn_method_book_page(uint64_t ptr, RustCallStatus *_Nonnull out_status
-);
-#endif
-#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_PAGES
-#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_PAGES
-uint32_t uniffi_dogleaf_ffi_fn_method_book_pages(uint64_t ptr, RustCallStatus *_Nonnull out_status
-);
-#endif
-#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_PAUSE
-#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_PAUSE
-void uniffi_dogleaf_ffi_fn_method_book_pause(uint64_t ptr, RustCallStatus *_Nonnull out_status
-);
-#endif
 #ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_PIECES
 #define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_PIECES
 RustBuffer uniffi_dogleaf_ffi_fn_method_book_pieces(uint64_t ptr, RustCallStatus *_Nonnull out_status
@@ -333,11 +313,6 @@ void uniffi_dogleaf_ffi_fn_method_book_pointer(uint64_t ptr, RustBuffer sample, 
 void uniffi_dogleaf_ffi_fn_method_book_pointers(uint64_t ptr, RustBuffer samples, RustCallStatus *_Nonnull out_status
 );
 #endif
-#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_PROGRESS
-#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_PROGRESS
-double uniffi_dogleaf_ffi_fn_method_book_progress(uint64_t ptr, RustCallStatus *_Nonnull out_status
-);
-#endif
 #ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_REDRAW
 #define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_REDRAW
 void uniffi_dogleaf_ffi_fn_method_book_redraw(uint64_t ptr, RustCallStatus *_Nonnull out_status
@@ -346,16 +321,6 @@ void uniffi_dogleaf_ffi_fn_method_book_redraw(uint64_t ptr, RustCallStatus *_Non
 #ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_RESIZE
 #define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_RESIZE
 void uniffi_dogleaf_ffi_fn_method_book_resize(uint64_t ptr, uint32_t width_px, uint32_t height_px, RustCallStatus *_Nonnull out_status
-);
-#endif
-#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_RESTORE
-#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_RESTORE
-void uniffi_dogleaf_ffi_fn_method_book_restore(uint64_t ptr, RustBuffer bytes, RustCallStatus *_Nonnull out_status
-);
-#endif
-#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_RESUME
-#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_RESUME
-void uniffi_dogleaf_ffi_fn_method_book_resume(uint64_t ptr, RustCallStatus *_Nonnull out_status
 );
 #endif
 #ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_SET_MOTION
@@ -373,14 +338,59 @@ void uniffi_dogleaf_ffi_fn_method_book_shut(uint64_t ptr, RustCallStatus *_Nonnu
 void uniffi_dogleaf_ffi_fn_method_book_skip(uint64_t ptr, RustCallStatus *_Nonnull out_status
 );
 #endif
-#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_SNAPSHOT
-#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_SNAPSHOT
-RustBuffer uniffi_dogleaf_ffi_fn_method_book_snapshot(uint64_t ptr, RustCallStatus *_Nonnull out_status
-);
-#endif
 #ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_STAGE
 #define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_STAGE
 RustBuffer uniffi_dogleaf_ffi_fn_method_book_stage(uint64_t ptr, RustCallStatus *_Nonnull out_status
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_STEP
+#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_STEP
+RustBuffer uniffi_dogleaf_ffi_fn_method_book_step(uint64_t ptr, uint64_t now_us, RustCallStatus *_Nonnull out_status
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_TURN
+#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_TURN
+void uniffi_dogleaf_ffi_fn_method_book_turn(uint64_t ptr, int8_t forward, uint16_t leaves, RustCallStatus *_Nonnull out_status
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_IS_SLEEPING
+#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_IS_SLEEPING
+int8_t uniffi_dogleaf_ffi_fn_method_book_is_sleeping(uint64_t ptr, RustCallStatus *_Nonnull out_status
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_PAGE
+#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_PAGE
+uint32_t uniffi_dogleaf_ffi_fn_method_book_page(uint64_t ptr, RustCallStatus *_Nonnull out_status
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_PAGES
+#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_PAGES
+uint32_t uniffi_dogleaf_ffi_fn_method_book_pages(uint64_t ptr, RustCallStatus *_Nonnull out_status
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_PAUSE
+#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_PAUSE
+void uniffi_dogleaf_ffi_fn_method_book_pause(uint64_t ptr, RustCallStatus *_Nonnull out_status
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_PROGRESS
+#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_PROGRESS
+double uniffi_dogleaf_ffi_fn_method_book_progress(uint64_t ptr, RustCallStatus *_Nonnull out_status
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_RESTORE
+#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_RESTORE
+void uniffi_dogleaf_ffi_fn_method_book_restore(uint64_t ptr, RustBuffer bytes, RustCallStatus *_Nonnull out_status
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_RESUME
+#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_RESUME
+void uniffi_dogleaf_ffi_fn_method_book_resume(uint64_t ptr, RustCallStatus *_Nonnull out_status
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_SNAPSHOT
+#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_SNAPSHOT
+RustBuffer uniffi_dogleaf_ffi_fn_method_book_snapshot(uint64_t ptr, RustCallStatus *_Nonnull out_status
 );
 #endif
 #ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_START_RECORDING
@@ -393,19 +403,9 @@ void uniffi_dogleaf_ffi_fn_method_book_start_recording(uint64_t ptr, RustCallSta
 uint64_t uniffi_dogleaf_ffi_fn_method_book_state_hash(uint64_t ptr, RustCallStatus *_Nonnull out_status
 );
 #endif
-#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_STEP
-#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_STEP
-RustBuffer uniffi_dogleaf_ffi_fn_method_book_step(uint64_t ptr, uint64_t now_us, RustCallStatus *_Nonnull out_status
-);
-#endif
 #ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_STOP_RECORDING
 #define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_STOP_RECORDING
 RustBuffer uniffi_dogleaf_ffi_fn_method_book_stop_recording(uint64_t ptr, RustCallStatus *_Nonnull out_status
-);
-#endif
-#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_TURN
-#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_TURN
-void uniffi_dogleaf_ffi_fn_method_book_turn(uint64_t ptr, int8_t forward, uint16_t leaves, RustCallStatus *_Nonnull out_status
 );
 #endif
 #ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_FUNC_VERSION
@@ -703,12 +703,6 @@ uint16_t uniffi_dogleaf_ffi_checksum_method_book_indices(void
 
 );
 #endif
-#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_IS_SLEEPING
-#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_IS_SLEEPING
-uint16_t uniffi_dogleaf_ffi_checksum_method_book_is_sleeping(void
-
-);
-#endif
 #ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_LOOK
 #define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_LOOK
 uint16_t uniffi_dogleaf_ffi_checksum_method_book_look(void
@@ -739,24 +733,6 @@ uint16_t uniffi_dogleaf_ffi_checksum_method_book_notices(void
 
 );
 #endif
-#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_PAGE
-#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_PAGE
-uint16_t uniffi_dogleaf_ffi_checksum_method_book_page(void
-
-);
-#endif
-#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_PAGES
-#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_PAGES
-uint16_t uniffi_dogleaf_ffi_checksum_method_book_pages(void
-
-);
-#endif
-#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_PAUSE
-#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_PAUSE
-uint16_t uniffi_dogleaf_ffi_checksum_method_book_pause(void
-
-);
-#endif
 #ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_PIECES
 #define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_PIECES
 uint16_t uniffi_dogleaf_ffi_checksum_method_book_pieces(void
@@ -775,12 +751,6 @@ uint16_t uniffi_dogleaf_ffi_checksum_method_book_pointers(void
 
 );
 #endif
-#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_PROGRESS
-#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_PROGRESS
-uint16_t uniffi_dogleaf_ffi_checksum_method_book_progress(void
-
-);
-#endif
 #ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_REDRAW
 #define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_REDRAW
 uint16_t uniffi_dogleaf_ffi_checksum_method_book_redraw(void
@@ -790,18 +760,6 @@ uint16_t uniffi_dogleaf_ffi_checksum_method_book_redraw(void
 #ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_RESIZE
 #define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_RESIZE
 uint16_t uniffi_dogleaf_ffi_checksum_method_book_resize(void
-
-);
-#endif
-#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_RESTORE
-#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_RESTORE
-uint16_t uniffi_dogleaf_ffi_checksum_method_book_restore(void
-
-);
-#endif
-#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_RESUME
-#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_RESUME
-uint16_t uniffi_dogleaf_ffi_checksum_method_book_resume(void
 
 );
 #endif
@@ -823,15 +781,69 @@ uint16_t uniffi_dogleaf_ffi_checksum_method_book_skip(void
 
 );
 #endif
-#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_SNAPSHOT
-#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_SNAPSHOT
-uint16_t uniffi_dogleaf_ffi_checksum_method_book_snapshot(void
-
-);
-#endif
 #ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_STAGE
 #define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_STAGE
 uint16_t uniffi_dogleaf_ffi_checksum_method_book_stage(void
+
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_STEP
+#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_STEP
+uint16_t uniffi_dogleaf_ffi_checksum_method_book_step(void
+
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_TURN
+#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_TURN
+uint16_t uniffi_dogleaf_ffi_checksum_method_book_turn(void
+
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_IS_SLEEPING
+#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_IS_SLEEPING
+uint16_t uniffi_dogleaf_ffi_checksum_method_book_is_sleeping(void
+
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_PAGE
+#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_PAGE
+uint16_t uniffi_dogleaf_ffi_checksum_method_book_page(void
+
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_PAGES
+#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_PAGES
+uint16_t uniffi_dogleaf_ffi_checksum_method_book_pages(void
+
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_PAUSE
+#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_PAUSE
+uint16_t uniffi_dogleaf_ffi_checksum_method_book_pause(void
+
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_PROGRESS
+#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_PROGRESS
+uint16_t uniffi_dogleaf_ffi_checksum_method_book_progress(void
+
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_RESTORE
+#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_RESTORE
+uint16_t uniffi_dogleaf_ffi_checksum_method_book_restore(void
+
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_RESUME
+#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_RESUME
+uint16_t uniffi_dogleaf_ffi_checksum_method_book_resume(void
+
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_SNAPSHOT
+#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_SNAPSHOT
+uint16_t uniffi_dogleaf_ffi_checksum_method_book_snapshot(void
 
 );
 #endif
@@ -847,21 +859,9 @@ uint16_t uniffi_dogleaf_ffi_checksum_method_book_state_hash(void
 
 );
 #endif
-#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_STEP
-#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_STEP
-uint16_t uniffi_dogleaf_ffi_checksum_method_book_step(void
-
-);
-#endif
 #ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_STOP_RECORDING
 #define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_STOP_RECORDING
 uint16_t uniffi_dogleaf_ffi_checksum_method_book_stop_recording(void
-
-);
-#endif
-#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_TURN
-#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_TURN
-uint16_t uniffi_dogleaf_ffi_checksum_method_book_turn(void
 
 );
 #endif
