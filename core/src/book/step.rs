@@ -131,6 +131,7 @@ impl<R: Real, G: Grid> Book<R, G> {
         report.add(&own);
     }
 
+    #[inline(never)]
     fn in_parts(&mut self, ask: &Ask<R>, own: &mut StepReport) {
         let (mut h, mut keep) = (ask.h, ask.keep);
         for _ in 0..HALVINGS {
@@ -147,20 +148,13 @@ impl<R: Real, G: Grid> Book<R, G> {
     }
 
     /// One step of the leaf as asked. Where it fails the pose is the one before.
+    // One frame on the stack for both its callers.
+    #[inline(never)]
     fn try_leaf(&mut self, ask: &Ask<R>) -> StepReport {
         self.before.copy_from(&self.leaf.x);
         let mut own = nothing();
         self.solver.step(&self.sheet, &mut self.leaf, ask, &self.settings, &mut own);
-        let [left, right] = self.binding.profiles(&self.blocks);
-        let done = leaf::resolve(
-            &mut self.leaf,
-            [&left, &right],
-            self.binding.half_held(),
-            self.settings.passes,
-            &mut self.scratch,
-        );
-        own.passes = done.passes;
-        own.pushed = done.pushed;
+        self.collide(&mut own);
         if !self.leaf.x.finite() {
             own.status = StepStatus::Held;
         } else if !self.measure() {
@@ -172,6 +166,21 @@ impl<R: Real, G: Grid> Book<R, G> {
             self.velocities(ask.h);
         }
         own
+    }
+
+    /// The leaf against both blocks. Their outlines are on the stack here only, not while the leaf is solved for.
+    #[inline(never)]
+    fn collide(&mut self, own: &mut StepReport) {
+        let [left, right] = self.binding.profiles(&self.blocks);
+        let done = leaf::resolve(
+            &mut self.leaf,
+            [&left, &right],
+            self.binding.half_held(),
+            self.settings.passes,
+            &mut self.scratch,
+        );
+        own.passes = done.passes;
+        own.pushed = done.pushed;
     }
 
     /// What the leaf's step is asked: air and weight are those of a landing leaf once it lies.
