@@ -16,8 +16,10 @@ const NODES: u32 = 88 + 12 + 4;
 
 /// What is over its bound in a report over `steps` world steps.
 fn excess(report: &StepReport, settings: &Settings, steps: u32) -> Option<String> {
-    let substeps = steps * settings.substeps;
+    // Each taken once, or once and then in four parts.
+    let substeps = steps * settings.substeps + 4 * report.parted;
     let bounds = [
+        ("steps in parts", report.parted, steps * settings.substeps),
         ("steps", report.steps, steps),
         ("Newton steps", report.newton_steps, substeps * settings.newton),
         ("trials", report.cuts, settings.trials * report.newton_steps),

@@ -44,13 +44,13 @@ const STEP: [u8; 9] = [3, 1, 2, 3, 4, 5, 6, 7, 8];
 #[test]
 fn the_layout_is_as_written_down() {
     let bytes = short();
-    assert_eq!(&bytes[..9], b"DLR1\x01\x00\x04\x06\x05");
+    assert_eq!(&bytes[..9], b"DLR1\x02\x00\x04\x06\x05");
     assert_eq!(seal(bytes[..bytes.len() - CRC].to_vec()), bytes, "the checksum is the common one");
     assert_eq!(refusal(&with_stream(&[&STEP, &end(0, 0, 1)])), None);
     assert_eq!(refusal(&with_stream(&[&STEP, &again(4), &end(0, 0, 5)])), None);
-    // 9 bytes so far, made_by, book, paper without weights, world, view, fidelity, formulation.
+    // 9 bytes so far, made_by, book, paper without weights, world, view, fidelity, formulation, grip, pages.
     let header =
-        9 + 8 + (8 + 8 + 4 + 4 + 1 + 1) + (4 * 8 + 1) + (3 * 8 + 8 + 4 + 8) + (7 * 8 + 8) + 2;
+        9 + 8 + (8 + 8 + 4 + 4 + 1 + 1) + (4 * 8 + 1) + (3 * 8 + 8 + 4 + 8) + (7 * 8 + 8) + 2 + 9;
     assert_eq!(with_stream(&[]).len(), header + CRC);
 }
 
@@ -228,9 +228,12 @@ fn a_header_that_asks_for_the_impossible_is_refused() {
     assert_eq!(forge(width + 25, &[9]), Some(RecordError::Unknown("reading direction")));
     assert_eq!(forge(width + 26 + 32, &[7]), Some(RecordError::Unknown("presence of weights")));
     assert_eq!(forge(6, &[5]), Some(RecordError::Unknown("numeric tier")));
-    let fidelity = with_stream(&[]).len() - CRC - 2;
+    let fidelity = with_stream(&[]).len() - CRC - 11;
     assert_eq!(forge(fidelity, &[4]), Some(RecordError::Unknown("fidelity")));
     assert_eq!(forge(fidelity + 1, &[2]), Some(RecordError::Unknown("formulation")));
+    let out = spec(SpecError::OutOfRange("handling.grip"));
+    assert_eq!(forge(fidelity + 2, &101.0f64.to_le_bytes()), out);
+    assert_eq!(forge(fidelity + 10, &[2]), Some(RecordError::Unknown("pages")));
 }
 
 /// A hundred thousand streams of random tags under a sound header and checksum.

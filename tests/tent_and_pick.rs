@@ -149,10 +149,10 @@ fn camera() -> Camera<f64> {
 }
 
 /// Where a guide wants its node after a drag to a place of the screen.
-fn wanted(tent: &Tent<f64>, node_z: f64, x: i32, y: i32) -> V3<f64> {
+fn wanted(tent: &Tent<f64>, node_z: f64, [x, y]: [i32; 2], firm: bool) -> V3<f64> {
     let origin = V3([tent.root + 0.9 * tent.radius, tent.floor[1], node_z]);
     let tent = Tent { lain: origin, ..*tent };
-    let reach = Reach { tent, camera: camera(), aside: V3([0.0; 3]) };
+    let reach = Reach { tent, camera: camera(), aside: V3([0.0; 3]), firm };
     let seen = camera().project(origin).expect("in front of the eye");
     let [px, py] = seen.map(|p| (p * 256.0) as i32);
     let finger = |phase, x, y| Sample { t_us: 8000, id: 0, phase, x, y, leaves: 0 };
@@ -172,9 +172,14 @@ fn wherever_the_finger_goes_the_target_stays_within_the_rope() {
         let (tent, z) = (tent(&mut random), random.within(-4.0, 4.0));
         let any = |r: &mut Pcg| r.word() as i32 >> r.below(24);
         for (x, y) in [(any(&mut random), any(&mut random)), (i32::MIN, i32::MAX)] {
-            let at = wanted(&tent, z, x, y);
-            let [to_tail, to_head] = drawn(&tent, at.0[0] - tent.root, at.0[2] - z);
-            assert!(to_tail <= 1.0 && to_head <= 1.0, "{tent:?}: {at:?} for ({x}, {y})");
+            for firm in [true, false] {
+                let at = wanted(&tent, z, [x, y], firm);
+                let [to_tail, to_head] = drawn(&tent, at.0[0] - tent.root, at.0[2] - z);
+                assert!(
+                    to_tail <= 1.0 && to_head <= 1.0,
+                    "{tent:?}: {at:?} for ({x}, {y}), {firm}"
+                );
+            }
         }
     }
 }
@@ -183,9 +188,12 @@ fn wherever_the_finger_goes_the_target_stays_within_the_rope() {
 fn a_target_follows_the_finger_across() {
     let tent =
         Tent { root: 0.0, radius: 10.0, floor: [0.5; 2], ends: [8.0; 2], lain: V3([0.0; 3]) };
-    let across: Vec<f64> =
-        (1..8).map(|n| wanted(&tent, 0.0, n * 120 * 256, 400 * 256).0[0]).collect();
-    assert!(across.windows(2).all(|w| w[0] < w[1] || w[1].abs() == tent.reach(w[1])), "{across:?}");
+    for firm in [true, false] {
+        let at = |n: i32| wanted(&tent, 0.0, [n * 120 * 256, 400 * 256], firm).0[0];
+        let across: Vec<f64> = (1..8).map(at).collect();
+        let limit = |x: f64| x.abs() >= tent.reach(x);
+        assert!(across.windows(2).all(|w| w[0] < w[1] || limit(w[1])), "{across:?}");
+    }
 }
 
 fn posed<G: Grid>(random: &mut Pcg) -> Leaf<f64, G> {

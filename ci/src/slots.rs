@@ -13,6 +13,8 @@ const FILE: &str = "core/src/grid/slots.rs";
 /// One panel: eight rows of the factor, stored from the first column any of them touches.
 struct Panel {
     first: usize,
+    /// The same for the second four of its rows, at most its own first row.
+    second: usize,
     offset: usize,
 }
 
@@ -37,8 +39,10 @@ fn panels(nx: usize, nz: usize) -> (usize, Vec<Panel>, usize) {
     let mut offset = 0;
     let list: Vec<Panel> = (0..rows / LANES)
         .map(|p| {
-            let first = (p * LANES..(p + 1) * LANES).map(first_of).min().unwrap_or(0);
-            let panel = Panel { first, offset };
+            let rows = p * LANES..(p + 1) * LANES;
+            let second = rows.clone().skip(LANES / 2).map(first_of).min().unwrap_or(0);
+            let first = rows.map(first_of).min().unwrap_or(0);
+            let panel = Panel { first, second: second.min(p * LANES), offset };
             offset += (p + 1) * LANES - first / LANES * LANES;
             panel
         })
@@ -67,7 +71,11 @@ fn grid(out: &mut String, nx: usize, nz: usize) {
     let _ = writeln!(out, "    const ROWS: usize = {rows};\n    const VECTORS: usize = {vectors};");
     let _ = writeln!(out, "    const PANELS: &'static [Panel] = &[");
     for p in &list {
-        let _ = writeln!(out, "        Panel {{ first: {}, offset: {} }},", p.first, p.offset);
+        let _ = writeln!(
+            out,
+            "        Panel {{ first: {}, second: {}, offset: {} }},",
+            p.first, p.second, p.offset
+        );
     }
     let _ = writeln!(out, "    ];");
     for (alias, len) in [

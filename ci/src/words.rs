@@ -4,8 +4,8 @@ use std::fmt::Write as _;
 
 use crate::tally::Tally;
 use crate::{
-    all, android, bindings, fuzz, hashes, no_std, peers, seed_slots, size, slots, style, tests,
-    tree,
+    all, android, bindings, desktop, fuzz, hashes, no_std, peers, seed_slots, size, slots, style,
+    tests, tree,
 };
 
 /// Why a word did not pass.
@@ -129,6 +129,12 @@ const WORDS: &[Word] = &[
         args: "",
         about: "orders of convergence, the golden table of costs, a quick report",
         run: tests::cost,
+    },
+    Word {
+        name: "desktop",
+        args: "",
+        about: "the desktop shell: its pictures against the reference, a window, the check for Android",
+        run: desktop::desktop,
     },
     Word {
         name: "peers",

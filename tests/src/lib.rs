@@ -15,3 +15,4 @@ pub mod house;
 pub mod soak;
 pub mod crc;
 pub mod scenario;
+pub mod app;

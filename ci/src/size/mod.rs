@@ -16,18 +16,21 @@ use image::Image;
 
 const KIB: u64 = 1024;
 /// Code and constants: what we want, and what we have. The second may only fall.
-const TEXT: [u64; 2] = [64 * KIB, 114 * KIB];
+const TEXT: [u64; 2] = [64 * KIB, 83 * KIB];
 /// RAM, statics and stack together.
-const RAM: [u64; 2] = [96 * KIB, 86 * KIB];
+const RAM: [u64; 2] = [96 * KIB, 84 * KIB];
 /// Stack.
-const STACK: [u64; 2] = [4 * KIB, 4_900];
+const STACK: [u64; 2] = [4 * KIB, 3_900];
 /// Instructions of the median step, and how many times as many the worst may take.
-const INSTRUCTIONS: [u64; 2] = [1_200_000, 1_400_000];
+const INSTRUCTIONS: [u64; 2] = [1_200_000, 1_200_000];
 const WORST: u64 = 2;
 
 /// Features of the core, and how the firmware asks for them.
 const FEATURES: [(&str, &str); 3] =
     [("none", ""), ("seed, unused", "dogleaf-core/seed"), ("defmt, logged", "defmt")];
+
+/// As `shells/eink/.cargo/config.toml` has them.
+const FLAGS: &str = "-Ctarget-cpu=cortex-m7 -Cllvm-args=-inline-threshold=5";
 
 /// One thing that is looked at: its name, its figure, what is wanted and what is allowed.
 struct Check {
@@ -108,12 +111,12 @@ fn looked_at(features: &str) -> std::result::Result<(Vec<Check>, Image, String),
 /// Builds the image, with features of it or of the core.
 fn build(features: &str) -> std::result::Result<PathBuf, String> {
     let folder = target_dir().join("hashes");
-    let mut c = cargo(["build", "--quiet", "--locked", "--bin", "play", "--profile", "o3"]);
+    let mut c = cargo(["build", "--quiet", "--locked", "--bin", "play", "--release"]);
     c.args(["--manifest-path", "shells/eink/Cargo.toml", "--target", BOARD, "--target-dir"]);
     c.arg(&folder).args(["--features", features]);
-    c.env("RUSTFLAGS", "-Ctarget-cpu=cortex-m7").env_remove("CARGO_ENCODED_RUSTFLAGS");
+    c.env("RUSTFLAGS", FLAGS).env_remove("CARGO_ENCODED_RUSTFLAGS");
     run(&mut c)?;
-    Ok(folder.join(BOARD).join("o3/play"))
+    Ok(folder.join(BOARD).join("release/play"))
 }
 
 /// What it says when it runs; its status is a figure of another word.

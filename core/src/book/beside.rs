@@ -51,10 +51,12 @@ impl<R: Real, G: Grid> Book<R, G> {
     fn swiped(&mut self, beside: Beside, sample: &Sample) {
         let middle = self.camera.centre[0].wide() * 256.0;
         let way = f64::from(sample.x) - f64::from(beside.x);
-        if way.abs() < SWIPE * 2.0 * middle {
+        let far = SWIPE * 2.0 * middle;
+        if way.abs() < far {
             return;
         }
-        self.beside = Some(Beside { x: sample.x, ..beside });
+        let x = f64::from(beside.x) + if way < 0.0 { -far } else { far };
+        self.beside = Some(Beside { x: x as i32, ..beside });
         let inwards = (way < 0.0) == (f64::from(beside.x) > middle);
         self.flip(inwards);
     }

@@ -80,6 +80,8 @@ pub struct Book<R: Real, G: Grid> {
     idle_us: u64,
     /// Strain of the leaf's most stretched edge.
     strain: R,
+    /// How much the most compressed one is.
+    squeeze: R,
     /// Steps taken back since the last that was not.
     stuck: u32,
     /// The last step had to be taken back: the next is taken without the hand's pull.
@@ -95,6 +97,8 @@ pub struct Book<R: Real, G: Grid> {
     asleep: bool,
     solver: Solver<R, G>,
     before: Field<R, G>,
+    /// The leaf before the step, should it have to be taken again.
+    kept: Leaf<R, G>,
     scratch: Field<R, G>,
 }
 

@@ -100,6 +100,7 @@ impl<R: Real, G: Grid> Book<R, G> {
         still_us: 0,
         idle_us: 0,
         strain: R::ZERO,
+        squeeze: R::ZERO,
         stuck: 0,
         eased: false,
         nudges: 0,
@@ -109,6 +110,7 @@ impl<R: Real, G: Grid> Book<R, G> {
         asleep: true,
         solver: Solver::ZERO,
         before: Field::ZERO,
+        kept: Leaf::ZERO,
         scratch: Field::ZERO,
     };
 

@@ -15,6 +15,11 @@ const MOST_STEPS: u32 = 8;
 /// Squared edge ratios a sheet of paper can have; outside, the net is collapsing or torn out.
 const BAND: (f64, f64) = (0.25, 2.56);
 
+/// Strain of an edge from which a step is taken again in parts, and how many: two halvings.
+const OVERSTRAINED: f64 = 0.08;
+const HALVINGS: u32 = 2;
+const PARTS: u32 = 1 << HALVINGS;
+
 impl<R: Real, G: Grid> Book<R, G> {
     /// Lets `dt_us` microseconds pass.
     ///
@@ -105,11 +110,47 @@ impl<R: Real, G: Grid> Book<R, G> {
     }
 
     /// The leaf: solve, collide, velocities, and the guard that keeps the last good pose.
+    ///
+    /// A step that strains the sheet more than paper bears is taken back, and taken again in [`PARTS`].
     fn step_leaf(&mut self, report: &mut StepReport) {
         let ask = self.ask();
+        let was = self.strain.larger(self.squeeze);
+        self.kept.copy_from(&self.leaf);
+        let mut own = self.try_leaf(&ask);
+        let is = self.strain.larger(self.squeeze);
+        let tried = matches!(own.status, StepStatus::Converged | StepStatus::Reduced);
+        if (tried && is > R::of(OVERSTRAINED) && is > was) || own.status == StepStatus::Recovered {
+            self.leaf.copy_from(&self.kept);
+            own.status = StepStatus::Asleep;
+            own.parted = 1;
+            self.in_parts(&ask, &mut own);
+        }
+        let back = matches!(own.status, StepStatus::Held | StepStatus::Recovered);
+        self.eased |= back;
+        self.stuck = if back { self.stuck + 1 } else { 0 };
+        report.add(&own);
+    }
+
+    fn in_parts(&mut self, ask: &Ask<R>, own: &mut StepReport) {
+        let (mut h, mut keep) = (ask.h, ask.keep);
+        for _ in 0..HALVINGS {
+            (h, keep) = (h * R::of(0.5), keep.root());
+        }
+        let part = Ask { h, keep, ..*ask };
+        for _ in 0..PARTS {
+            let done = self.try_leaf(&part);
+            own.add(&done);
+            if done.status.failed() {
+                break;
+            }
+        }
+    }
+
+    /// One step of the leaf as asked. Where it fails the pose is the one before.
+    fn try_leaf(&mut self, ask: &Ask<R>) -> StepReport {
         self.before.copy_from(&self.leaf.x);
         let mut own = nothing();
-        self.solver.step(&self.sheet, &mut self.leaf, &ask, &self.settings, &mut own);
+        self.solver.step(&self.sheet, &mut self.leaf, ask, &self.settings, &mut own);
         let [left, right] = self.binding.profiles(&self.blocks);
         let done = leaf::resolve(
             &mut self.leaf,
@@ -127,13 +168,10 @@ impl<R: Real, G: Grid> Book<R, G> {
         }
         if matches!(own.status, StepStatus::Held | StepStatus::Recovered) {
             self.keep_pose();
-            self.eased = true;
-            self.stuck += 1;
         } else {
-            self.velocities();
-            self.stuck = 0;
+            self.velocities(ask.h);
         }
-        report.add(&own);
+        own
     }
 
     /// What the leaf's step is asked: air and weight are those of a landing leaf once it lies.
@@ -162,8 +200,8 @@ impl<R: Real, G: Grid> Book<R, G> {
     }
 
     /// `v = (x - x_before) / h`, after the collisions.
-    fn velocities(&mut self) {
-        let rate = R::of(1.0) / self.h;
+    fn velocities(&mut self, h: R) {
+        let rate = R::of(1.0) / h;
         let (x, before) = (self.leaf.x.raw(), self.before.raw());
         for ((v, &x), &b) in self.leaf.v.raw_mut().iter_mut().zip(x).zip(before) {
             *v = (x - b) * rate;
@@ -192,6 +230,7 @@ impl<R: Real, G: Grid> Book<R, G> {
         }
         let (smallest, largest) = (-(-least).largest(), most.largest());
         self.strain = largest.root() - R::of(1.0);
+        self.squeeze = R::of(1.0) - smallest.larger(R::ZERO).root();
         smallest > R::of(BAND.0) && largest < R::of(BAND.1)
     }
 }

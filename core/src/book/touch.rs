@@ -225,16 +225,20 @@ impl<R: Real, G: Grid> Book<R, G> {
     /// What bounds the targets of a node that lay at `lain`, so that `place` stays under the finger.
     fn reach(&self, (column, row): (usize, usize), lain: V3<R>, place: &Place<R>) -> Reach<R> {
         let half = self.binding.half_held();
+        let firm = self.handling.grip > 0.0;
+        let root = self.binding.root();
+        // Where the sheet has lain means nothing to a hand that does not follow the finger.
+        let lain = if firm { lain } else { V3([root.0[0], root.0[1], lain.0[2]]) };
         let along = |rows: usize| self.sheet.spacing[1] * R::of(rows as f64);
         let tent = Tent {
-            root: self.binding.root().0[0],
+            root: root.0[0],
             radius: self.sheet.spacing[0] * R::of(column as f64),
             floor: self.binding.thickness().map(|t| t + half),
             ends: [along(row), along(G::NZ - 1 - row)],
             lain,
         };
         let aside = self.leaf.x.at(column, row) - place.on(&self.leaf);
-        Reach { tent, camera: self.camera, aside }
+        Reach { tent, camera: self.camera, aside, firm }
     }
 
     fn drag(&mut self, sample: &Sample, report: &mut StepReport) -> bool {

@@ -16,8 +16,10 @@ use core::fmt::Debug;
 /// Eight rows of the factor: stored column by column from the first one they touch to the diagonal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Panel {
-    /// First stored column.
+    /// First column any of its rows touches; the column of its eight is the first stored.
     pub first: u16,
+    /// First column any of the second four of its rows touches, at most its own first row.
+    pub second: u16,
     /// Vectors of eight stored before this panel.
     pub offset: u32,
 }

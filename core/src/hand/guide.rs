@@ -17,6 +17,12 @@ const LEASH: f64 = 3.0;
 /// From this strain on a hand that tugs is followed less, and at that one hardly at all.
 const STRAINED: f64 = 0.03;
 const TORN: f64 = 0.12;
+/// How fast a firm hand leans further, 1/s, how far at most, and how near the node has to be, model units.
+const LEANING: f64 = 14.0;
+const LEAN: f64 = 1.0;
+const NEARBY: f64 = 0.5;
+/// Way of the wanted place in a step below which the finger rests, model units.
+const RESTS: f64 = 0.2;
 /// Part of the leash within which a firm hand is a spring.
 const CLOSE: f64 = 10.0;
 /// What is then left of the leash.
@@ -65,12 +71,15 @@ pub struct Guide<R> {
     place: Place<R>,
     /// Where the node was then.
     origin: V3<R>,
-    /// From the tent to the node then, along the finger's ray.
+    /// From where the finger asked for it to where it was then: from the tent for a firm hand, else from the drag
+    /// plane.
     lag: V3<R>,
-    /// The finger now, 1/256 pixel.
-    finger: [i32; 2],
+    /// The finger's ray now.
+    ray: Ray<R>,
     /// Wanted place of the node, before the leash.
     wanted: V3<R>,
+    /// What a firm hand asks for beyond that, so that the sheet's resistance does not keep the node from it.
+    lean: V3<R>,
     /// The finger asks for more than the sheet can follow.
     beyond: bool,
     /// Where the finger was lately, newest last.
@@ -103,14 +112,20 @@ pub struct Reach<R> {
     pub camera: Camera<R>,
     /// From the paper that was touched to the node, now.
     pub aside: V3<R>,
+    /// The hand is firm: the paper that was touched stays under the finger. Else it follows the finger's way over
+    /// the drag plane, as the seed's.
+    pub firm: bool,
 }
 
 impl<R: Real> Reach<R> {
     /// Where the node has to be for the paper that was touched to be under the finger.
-    fn aim(&self, finger: [i32; 2]) -> Aim<R> {
-        let [x, y] = finger;
-        let ray = self.camera.ray(x, y);
-        self.tent.aim(&Ray { from: ray.from + self.aside, ..ray })
+    fn aim(&self, ray: &Ray<R>) -> Aim<R> {
+        self.tent.aim(&Ray { from: ray.from + self.aside, ..*ray })
+    }
+
+    /// Where a ray meets the drag plane through a place.
+    fn plane(&self, ray: &Ray<R>, through: V3<R>) -> Option<V3<R>> {
+        ray.meet(through, self.camera.forward)
     }
 }
 
@@ -124,15 +139,20 @@ impl<R: Real> Guide<R> {
         reach: &Reach<R>,
     ) -> Self {
         let mark = Mark { t_us: sample.t_us, x: origin.0[0] - reach.tent.root };
-        let finger = [sample.x, sample.y];
+        let ray = reach.camera.ray(sample.x, sample.y);
+        let asked = match reach.firm {
+            true => reach.aim(&ray).at,
+            false => reach.plane(&ray, origin).unwrap_or(origin),
+        };
         Self {
             id: sample.id,
             node,
             place,
             origin,
-            lag: origin - reach.aim(finger).at,
-            finger,
+            lag: origin - asked,
+            ray,
             wanted: origin,
+            lean: V3::zero(),
             beyond: false,
             marks: [mark; 4],
             motion: Motion::Dragging,
@@ -155,20 +175,38 @@ impl<R: Real> Guide<R> {
 
     /// The finger moved. Answers whether the place it asks for had to be clamped.
     pub fn drag(&mut self, sample: &Sample, reach: &Reach<R>) -> bool {
-        self.finger = [sample.x, sample.y];
-        self.aim(reach);
+        self.ray = reach.camera.ray(sample.x, sample.y);
+        if reach.firm {
+            self.aim(reach);
+        } else {
+            self.slide(reach);
+        }
         self.mark(sample.t_us, self.wanted.0[0] - reach.tent.root);
         self.beyond
     }
 
     /// The place under the finger; at first where the node lay, and on the tent once the finger has gone some way.
     fn aim(&mut self, reach: &Reach<R>) {
-        let aim = reach.aim(self.finger);
+        let aim = reach.aim(&self.ray);
         let way = (aim.at + self.lag - self.origin).norm();
         let fade = (reach.tent.radius * R::of(FADE)).larger(self.lag.norm() * R::of(FAR));
         let left = (R::of(1.0) - way / fade).larger(R::ZERO);
         self.wanted = reach.tent.nearest(aim.at + self.lag * left);
         self.beyond = aim.clamped;
+    }
+
+    /// The place on the tent as far across and along as the finger went over the drag plane. Source: Book Fig. 7.
+    fn slide(&mut self, reach: &Reach<R>) {
+        let Some(met) = reach.plane(&self.ray, self.origin) else {
+            self.beyond = true;
+            return;
+        };
+        let (asked, tent) = (met + self.lag, &reach.tent);
+        let x = clamp(asked.0[0] - tent.root, tent.reach(R::ZERO));
+        let [tail, head] = tent.sideways(x, tent.height(x));
+        let dz = (asked.0[2] - self.origin.0[2]).smaller(tail).larger(-head);
+        self.wanted = V3([tent.root + x, tent.height(x), self.origin.0[2] + dz]);
+        self.beyond = x != asked.0[0] - tent.root || dz != asked.0[2] - self.origin.0[2];
     }
 
     fn mark(&mut self, t_us: u64, x: R) {
@@ -218,21 +256,37 @@ impl<R: Real> Guide<R> {
         let here = node.0[0] - tent.root;
         let holds = match self.motion {
             Motion::Dragging => {
-                self.aim(reach);
+                if reach.firm {
+                    let before = self.wanted;
+                    self.aim(reach);
+                    let rests = (self.wanted - before).norm() < R::of(RESTS);
+                    self.lean_on(node, rests && !self.beyond, h);
+                }
                 true
             }
             Motion::Following(speed) => self.follow(speed, here, reach, h),
         };
         let spare = (R::of(TORN) - strain) * R::of(1.0 / (TORN - STRAINED));
         let leash = R::of(LEASH) * spare.smaller(R::of(1.0)).larger(R::of(LEAST_LEASH));
-        let asked = self.wanted.0[0] - tent.root;
+        let goal = self.wanted + self.lean;
+        let asked = goal.0[0] - tent.root;
         let x = asked.larger(here - leash).smaller(here + leash);
-        let z = self.wanted.0[2].larger(node.0[2] - leash).smaller(node.0[2] + leash);
-        let held_back = x != asked || z != self.wanted.0[2];
-        let target =
-            if held_back { V3([tent.root + x, self.level(x, tent), z]) } else { self.wanted };
+        let z = goal.0[2].larger(node.0[2] - leash).smaller(node.0[2] + leash);
+        let held_back = x != asked || z != goal.0[2];
+        let target = if held_back { V3([tent.root + x, self.level(x, tent), z]) } else { goal };
         let firm = grip * leash / (target - node).norm().larger(leash * R::of(1.0 / CLOSE));
         Pull { target, leashed: held_back, firm: firm.larger(R::of(1.0)), holds }
+    }
+
+    /// Asks for a little more than is wanted as long as the finger rests and the node stays short of it.
+    fn lean_on(&mut self, node: V3<R>, rests: bool, h: R) {
+        let short = self.wanted - node;
+        if short.norm() > R::of(NEARBY) || !rests {
+            self.lean = self.lean * R::of(0.5);
+            return;
+        }
+        let lean = self.lean + short * (h * R::of(LEANING)).smaller(R::of(0.5));
+        self.lean = lean * (R::of(LEAN) / lean.norm().larger(R::of(LEAN)));
     }
 
     /// As far below the tent at `x` as the wanted place is below it where that is.
@@ -262,8 +316,7 @@ impl<R: Real> Guide<R> {
     pub fn digest(&self, hash: &mut Fnv) {
         hash.word(u64::from(self.id) | (self.node.0 as u64) << 8 | (self.node.1 as u64) << 24);
         self.place.digest(hash);
-        self.finger.iter().for_each(|&c| hash.word(c as u64));
-        let places = [self.origin, self.lag, self.wanted];
+        let places = [self.origin, self.lag, self.wanted, self.lean, self.ray.from, self.ray.along];
         places.iter().flat_map(|v| v.0).for_each(|c| hash.real(c));
         for mark in &self.marks {
             hash.word(mark.t_us);

@@ -45,6 +45,18 @@ impl View {
         Self { eye_m, target_m: target, fov_y_deg, width_px, height_px }
     }
 
+    /// One page from straight above, filling the picture: the right one, or the left.
+    pub fn page(width_m: f64, height_m: f64, width_px: u32, height_px: u32, right: bool) -> Self {
+        let fov_y_deg = 20.0;
+        let aspect = f64::from(width_px.max(1)) / f64::from(height_px.max(1));
+        let across = 0.5 * width_m / aspect;
+        let along = 0.5 * height_m;
+        let distance = if across > along { across } else { along } / half_tangent(fov_y_deg);
+        let x = if right { 0.5 * width_m } else { -0.5 * width_m };
+        let (eye_m, target_m) = ([x, distance, 0.0], [x, 0.0, 0.0]);
+        Self { eye_m, target_m, fov_y_deg, width_px, height_px }
+    }
+
     /// Refuses a camera that sees nothing.
     ///
     /// # Errors
@@ -86,9 +98,14 @@ impl View {
     }
 }
 
+/// Terms of the tangent's continued fraction: the error is below rounding up to 80°.
+const TERMS: u32 = 12;
+
+/// `tan x = x / (1 - x² / (3 - x² / (5 - …)))`: a sine and a cosine would be seven kilobytes of a firmware.
 fn half_tangent(fov_deg: f64) -> f64 {
     let half = fov_deg * (core::f64::consts::PI / 360.0);
-    half.sine() / half.cosine()
+    let odd = |n: u32| f64::from(2 * n + 1);
+    half / (0..TERMS).rev().fold(odd(TERMS), |below, n| odd(n) - half * half / below)
 }
 
 fn unit(v: V3<f64>) -> V3<f64> {

@@ -38,7 +38,11 @@ impl<R: Real, G: Grid> Factor<R, G> {
 
     /// Empties the matrix: ones on the diagonal of the padding, zeros elsewhere.
     pub fn clear(&mut self) {
-        self.panels.as_mut().fill(R::ZERO);
+        // The zero is hidden: the loop would else become a call that takes thrice as long on a small processor.
+        let zero = core::hint::black_box(R::ZERO);
+        let (lines, rest) = self.panels.as_mut().as_chunks_mut::<{ 4 * LANES }>();
+        lines.iter_mut().for_each(|line| *line = [zero; 4 * LANES]);
+        rest.fill(zero);
         for row in G::UNKNOWNS..G::ROWS {
             self.set(row, row, R::of(1.0));
         }
@@ -46,9 +50,7 @@ impl<R: Real, G: Grid> Factor<R, G> {
     /// Takes the rows of column `i` of nodes.
     pub fn take(&mut self, s: &Stencil<R, G>, i: usize) {
         for k in 0..G::NZ {
-            for c in 0..3 {
-                self.take_row(s, i, k, c);
-            }
+            self.take_node(s, i, k);
         }
     }
     /// One entry of the matrix, `row >= column`.
@@ -72,23 +74,43 @@ impl<R: Real, G: Grid> Factor<R, G> {
         }
     }
 
-    /// The entries of coordinate `c` of node `(i, k)`: seven neighbours, three coordinates each.
+    /// The entries of node `(i, k)`: seven neighbours of three by three.
     #[inline(always)]
-    fn take_row(&mut self, s: &Stencil<R, G>, i: usize, k: usize, c: usize) {
-        let row = unknown::<G>(i, k, c);
-        let place = Place::of::<G>(row / LANES);
-        for n in 0..NEIGHBOURS.len() {
-            if !exists::<G>(i, k, n) {
-                continue;
-            }
+    fn take_node(&mut self, s: &Stencil<R, G>, i: usize, k: usize) {
+        let first = unknown::<G>(i, k, 0);
+        let diagonal: [usize; 3] =
+            core::array::from_fn(|c| Place::of::<G>((first + c) / LANES).entry(first + c, first));
+        let [a, b, c] = diagonal;
+        // Of the node itself only the lower triangle.
+        let [own, second, third] = s.lines(pair::SELF, i, k);
+        self.take_entry(a, own[0]);
+        self.take_entry(b, second[0]);
+        self.take_entry(b + LANES, second[1]);
+        self.take_line(c, third);
+        for n in (pair::ROW..NEIGHBOURS.len()).filter(|&n| exists::<G>(i, k, n)) {
             let (j, l) = earlier(i, k, n);
-            let at = place.entry(row, unknown::<G>(j, l, 0));
-            for d in 0..3 {
-                if let Some(slot) = self.panels.as_mut().get_mut(at + d * LANES)
-                    && (n != pair::SELF || d <= c)
-                {
-                    *slot = s.at(n, c, d, i, k);
-                }
+            let back = (first - unknown::<G>(j, l, 0)) * LANES;
+            let [x, y, z] = s.lines(n, i, k);
+            self.take_line(a - back, x);
+            self.take_line(b - back, y);
+            self.take_line(c - back, z);
+        }
+    }
+
+    /// One entry, at place `at`.
+    #[inline(always)]
+    fn take_entry(&mut self, at: usize, value: R) {
+        if let Some(slot) = self.panels.as_mut().get_mut(at) {
+            *slot = value;
+        }
+    }
+    /// Three entries of a row, from place `at` on.
+    #[inline(always)]
+    fn take_line(&mut self, at: usize, line: [R; 3]) {
+        let slots = self.panels.as_mut().get_mut(at..);
+        if let Some(slots) = slots.and_then(<[R]>::first_chunk_mut::<{ 2 * LANES + 1 }>) {
+            for (slot, value) in slots.iter_mut().step_by(LANES).zip(line) {
+                *slot = value;
             }
         }
     }
@@ -126,19 +148,26 @@ impl<R: Real, G: Grid> Factor<R, G> {
         let Some((left, right)) = own.split_at_mut_checked(place.diagonal() - place.start) else {
             return;
         };
-        let used = left.get((place.first - place.stored) * LANES..).unwrap_or(&[]);
+        let first = begun::<R>(place.first);
+        let used = left.get((first - place.stored) * LANES..).unwrap_or(&[]);
         self.regularised += if R::Lanes::WIDTH == 1 {
-            one::factor_diagonal::<R>(right, used)
+            one::factor_diagonal::<R>(right, used, place.second - first)
         } else {
             tile::factor_diagonal::<R>(right, used)
         };
     }
 }
 
+/// The column to begin with for sums that are zeros before `first`: where rows travel alone, its stride's.
+#[inline(always)]
+fn begun<R: Real>(first: usize) -> usize {
+    if R::Lanes::WIDTH == 1 { first / one::STRIDE * one::STRIDE } else { first }
+}
+
 /// The block of a panel in the columns of the panel above that begins with `column`.
 #[inline(always)]
 fn eliminate<R: Real>(own: &mut [R], place: &Place, upper: &[R], above: &Place, column: usize) {
-    let first = place.first.max(above.first);
+    let first = begun::<R>(place.first.max(above.first));
     let own_at = (column - place.stored) * LANES;
     let upper_at = (first - above.stored) * LANES;
     let terms = column.saturating_sub(first) * LANES;
@@ -147,7 +176,8 @@ fn eliminate<R: Real>(own: &mut [R], place: &Place, upper: &[R], above: &Place, 
     let factors = upper.get(upper_at..upper_at + terms).unwrap_or(&[]);
     let inverse = upper.get(above.diagonal() - above.start..).unwrap_or(&[]);
     if R::Lanes::WIDTH == 1 {
-        one::eliminate::<R>(right, rows, factors, inverse);
+        let later = [place.second.saturating_sub(first), above.second.saturating_sub(first)];
+        one::eliminate::<R>(right, rows, factors, inverse, later);
     } else {
         tile::eliminate::<R>(right, rows, factors, inverse);
     }

@@ -10,6 +10,8 @@ pub(super) struct Place {
     pub(super) stored: usize,
     /// First column any of its rows touches.
     pub(super) first: usize,
+    /// First column any of its second four rows touches.
+    pub(super) second: usize,
     /// Its numbers: eight a column, its diagonal block last.
     pub(super) start: usize,
     pub(super) end: usize,
@@ -18,11 +20,11 @@ pub(super) struct Place {
 impl Place {
     #[inline(always)]
     pub(super) fn of<G: Grid>(p: usize) -> Self {
-        let panel = G::PANELS.get(p).copied().unwrap_or(Panel { first: 0, offset: 0 });
-        let first = usize::from(panel.first);
+        let panel = G::PANELS.get(p).copied().unwrap_or(Panel { first: 0, second: 0, offset: 0 });
+        let [first, second] = [panel.first, panel.second].map(usize::from);
         let stored = first / LANES * LANES;
         let start = panel.offset as usize * LANES;
-        Self { stored, first, start, end: start + ((p + 1) * LANES - stored) * LANES }
+        Self { stored, first, second, start, end: start + ((p + 1) * LANES - stored) * LANES }
     }
     /// Where the entry of a row of this panel in `column` is stored.
     #[inline(always)]

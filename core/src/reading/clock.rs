@@ -50,8 +50,7 @@ impl Clock {
         self.sampled_us
     }
 
-    /// Time that passed for the app since the last step, microseconds, and the world steps it is worth. A
-    /// quarter of a step too little still counts as one.
+    /// Time that passed for the app since the last step, microseconds, and the world steps it is worth.
     pub(super) fn of_step(&mut self, now_us: u64, step_us: u32) -> (u64, u64) {
         let known = self.offset.is_some();
         let passed = now_us.saturating_sub(self.last_us).min(LONGEST_US);
@@ -59,9 +58,20 @@ impl Clock {
         self.last_us = now_us;
         let step = i64::from(step_us.max(1));
         self.owed_us = self.owed_us.saturating_add_unsigned(passed);
-        let steps = (self.owed_us.saturating_add(step / 4) / step).clamp(0, MOST_STEPS as i64);
+        let steps = self.worth(passed as i64, step).clamp(0, MOST_STEPS as i64);
         self.owed_us = self.owed_us.saturating_sub(steps.saturating_mul(step)).clamp(-step, step);
         (passed, steps.unsigned_abs())
+    }
+
+    /// The steps a time is worth: about a whole number of them counts as that, until more than a step is owed.
+    fn worth(&self, passed: i64, step: i64) -> i64 {
+        let whole = passed.saturating_add(step / 2) / step;
+        let off = passed.saturating_sub(whole.saturating_mul(step));
+        if whole == 0 || off.abs() > step / 4 {
+            return self.owed_us / step;
+        }
+        let left = self.owed_us.saturating_sub(whole.saturating_mul(step));
+        whole + i64::from(left >= step) - i64::from(left <= -step)
     }
 
     /// The book has taken its steps: its time, and what it owes, is the app's now.

@@ -68,11 +68,8 @@ impl<R: Real, G: Grid> Trail<R, G> {
             self.used -= 1;
         }
         let far = self.used == 0 || self.sine(self.used - 1, way).magnitude() > R::of(APART);
-        if far
-            && self.used < POSES
-            && let (Some(pose), Some(known)) =
-                (self.poses.get_mut(self.used), self.ways.get_mut(self.used))
-        {
+        let slots = (self.poses.get_mut(self.used), self.ways.get_mut(self.used));
+        if let (true, (Some(pose), Some(known))) = (far, slots) {
             pose.copy_from(&leaf.x);
             *known = way;
             self.used += 1;

@@ -8,6 +8,7 @@
 
 mod lanes;
 mod scalar;
+mod small;
 mod vec3;
 
 pub use lanes::{Eight, LANES, Lanes};

@@ -1,6 +1,6 @@
 //! `f32` and `f64` as the core sees them.
 
-use super::{Eight, Lanes, Num};
+use super::{Eight, Lanes, Num, small};
 use core::ops::{AddAssign, MulAssign, SubAssign};
 use nalgebra::{SMatrix, SVector};
 
@@ -50,12 +50,15 @@ pub trait Real:
     fn cosine(self) -> Self;
     /// `e^self` by `libm`; never in an inner loop.
     fn exponential(self) -> Self;
-    /// Solves a small symmetric positive definite system; `None` where it is not.
-    fn solve_small<const D: usize>(
-        a: SMatrix<Self, D, D>,
-        b: &SVector<Self, D>,
-    ) -> Option<SVector<Self, D>>;
+    /// Solves a small symmetric positive definite system in place: `b` becomes the solution. False where it is not
+    /// positive definite.
+    fn solve_small<const D: usize>(a: &mut SMatrix<Self, D, D>, b: &mut SVector<Self, D>) -> bool;
 }
+
+#[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
+use dogleaf_root::root as root_f32;
+#[cfg(not(all(target_arch = "arm", target_abi = "eabihf")))]
+use libm::sqrtf as root_f32;
 
 macro_rules! real {
     ($t:ty, $lanes:ty, $name:literal, $eps:expr, $bits:ty, $nan:literal, $sqrt:path, $sin:path, $cos:path, $exp:path) => {
@@ -127,10 +130,10 @@ macro_rules! real {
                 $exp(self)
             }
             fn solve_small<const D: usize>(
-                a: SMatrix<Self, D, D>,
-                b: &SVector<Self, D>,
-            ) -> Option<SVector<Self, D>> {
-                a.cholesky().map(|factor| factor.solve(b))
+                a: &mut SMatrix<Self, D, D>,
+                b: &mut SVector<Self, D>,
+            ) -> bool {
+                small::solve(a.as_mut_slice(), b.as_mut_slice())
             }
         }
     };
@@ -143,7 +146,7 @@ real!(
     1.1920929e-7,
     u32,
     0x7fc0_0000,
-    libm::sqrtf,
+    root_f32,
     libm::sinf,
     libm::cosf,
     libm::expf

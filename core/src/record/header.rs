@@ -92,6 +92,12 @@ impl Setup {
         }
     }
 
+    /// The same for fingers on a screen: the paper stays under them, at [`Fidelity::Fine`].
+    pub fn fingers(book: BookSpec, width_px: u32, height_px: u32) -> Self {
+        let (fidelity, handling) = (Fidelity::Fine, Handling::FINGER);
+        Self { fidelity, handling, ..Self::reading(book, width_px, height_px) }
+    }
+
     /// Refuses what no book could be opened with.
     ///
     /// # Errors

@@ -94,6 +94,11 @@ impl<R: Real, G: Grid> Heights<R, G> {
     /// Zeros.
     pub const ZERO: Self = Self(<G::Scalars<R> as Store<R>>::ZERO);
 
+    /// Takes over another's numbers.
+    pub fn copy_from(&mut self, other: &Self) {
+        self.0.as_mut().copy_from_slice(other.0.as_ref());
+    }
+
     /// The number at node `(i, k)`.
     #[inline(always)]
     pub fn at(&self, i: usize, k: usize) -> R {

@@ -21,6 +21,7 @@ impl Fnv {
         }
     }
     /// Takes one scalar in.
+    #[inline(never)]
     pub fn real<R: Real>(&mut self, value: R) {
         self.word(value.bits());
     }

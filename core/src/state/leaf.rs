@@ -113,6 +113,14 @@ impl<R: Real, G: Grid> Leaf<R, G> {
         self.holding.clear();
     }
 
+    /// Becomes another.
+    pub fn copy_from(&mut self, other: &Self) {
+        self.x.copy_from(&other.x);
+        self.v.copy_from(&other.v);
+        self.pushed.copy_from(&other.pushed);
+        self.holding.copy_from(&other.holding);
+    }
+
     /// Largest speed of any node.
     pub fn fastest(&self) -> R {
         let sq = groups::<R, G>().flat_map(|k| (0..G::NX).map(move |i| (i, k)));

@@ -6,8 +6,7 @@
 use super::ask::Ask;
 use super::bend::{bend, hinge};
 use super::matrix::Blocks;
-use super::star::{spread, star};
-use crate::constraint::dog::ROWS;
+use super::star::rows;
 use crate::grid::Grid;
 use crate::kkt::stencil::pair;
 use crate::potential::{contact, gravity, isometry, position};
@@ -96,19 +95,30 @@ fn edges<R: Real, G: Grid>(
         let between = R::Lanes::mask(k, 0, G::NZ - 1);
         let x = leaf.x.rows(i, k, 0);
         let e = isometry::edge(leaf.x.rows(i, k, 1) - x, along, wz * between, false);
-        s.add_block(pair::ROW, i, k, 1, &negative(&e.hessian));
-        s.add_block(pair::SELF, i, k, 1, &e.hessian);
-        s.add_block(pair::SELF, i, k, 0, &e.hessian);
-        g.add_rows(i, k, 1, e.gradient);
-        g.add_rows(i, k, 0, -e.gradient);
+        join(s, g, k, pair::ROW, (i, 1), (i, 0), &e);
         let e = isometry::edge(x - leaf.x.rows(i - 1, k, 0), across, wx * inside, false);
-        s.add_block(pair::COLUMN, i, k, 0, &negative(&e.hessian));
-        s.add_block(pair::SELF, i, k, 0, &e.hessian);
-        g.add_rows(i, k, 0, e.gradient);
-        if i > 1 {
-            s.add_block(pair::SELF, i - 1, k, 0, &e.hessian);
-            g.add_rows(i - 1, k, 0, -e.gradient);
-        }
+        join(s, g, k, pair::COLUMN, (i, 0), (i - 1, 0), &e);
+    }
+}
+
+/// Adds an edge between two nodes, each a column and a shift of the rows, the later one first.
+#[inline(never)]
+fn join<R: Real, G: Grid>(
+    s: &mut impl Blocks<R, G>,
+    g: &mut Field<R, G>,
+    k: usize,
+    which: usize,
+    later: (usize, isize),
+    earlier: (usize, isize),
+    e: &isometry::Edge<R::Lanes>,
+) {
+    s.add_block(which, later.0, k, later.1, &negative(&e.hessian));
+    s.add_block(pair::SELF, later.0, k, later.1, &e.hessian);
+    g.add_rows(later.0, k, later.1, e.gradient);
+    // The column at the spine is held.
+    if earlier.0 > 0 {
+        s.add_block(pair::SELF, earlier.0, k, earlier.1, &e.hessian);
+        g.add_rows(earlier.0, k, earlier.1, -e.gradient);
     }
 }
 
@@ -132,17 +142,13 @@ fn stars<R: Real, G: Grid>(
         if weight.largest() <= R::ZERO {
             continue;
         }
-        let rows = star(&leaf.x, i, k).rows(scales.map(|v| R::Lanes::all(v) * weight));
-        let mut by_node = [[V3::zero(); 5]; 3];
+        let rows = rows(&leaf.x, i, k, &scales.map(|v| R::Lanes::all(v) * weight));
         let mut pull = [V3::zero(); 5];
-        for ((row, named), nodes) in rows.iter().zip(ROWS).zip(&mut by_node) {
-            spread(nodes, named, &row.gradient);
-            for (p, n) in pull.iter_mut().zip(nodes.iter()) {
-                *p = *p + *n * row.value;
-            }
+        for (p, node) in pull.iter_mut().zip(&rows.nodes) {
+            *p = node.iter().zip(rows.values).fold(*p, |sum, (&g, value)| sum + g * value);
         }
         add_star_gradient(g, i, k, &pull);
-        add_star_blocks(s, i, k, &by_node);
+        add_star_blocks(s, i, k, &rows.nodes);
     }
 }
 
@@ -160,47 +166,32 @@ fn add_star_gradient<R: Real, G: Grid>(
     g.add_rows(i - 1, k, 0, p[2]);
 }
 
-/// The fifteen pairs of a star's nodes, each stored at the later node: `(later, earlier, pair, column, row)`.
-const PAIRS: [(usize, usize, usize, isize, isize); 15] = [
-    (0, 0, pair::SELF, 1, 0),
-    (0, 1, pair::HEADWARD, 1, 0),
-    (0, 2, pair::COLUMN2, 1, 0),
-    (0, 3, pair::TAILWARD, 1, 0),
-    (0, 4, pair::COLUMN, 1, 0),
-    (1, 2, pair::TAILWARD, 0, 1),
-    (4, 2, pair::COLUMN, 0, 0),
-    (3, 2, pair::HEADWARD, 0, -1),
-    (1, 1, pair::SELF, 0, 1),
-    (1, 4, pair::ROW, 0, 1),
-    (1, 3, pair::ROW2, 0, 1),
-    (4, 4, pair::SELF, 0, 0),
-    (4, 3, pair::ROW, 0, 0),
-    (3, 3, pair::SELF, 0, -1),
-    (2, 2, pair::SELF, -1, 0),
-];
-
+/// The fifteen pairs of a star's nodes `x⁺, z⁺, x⁻, z⁻, centre`, each stored at the later node. The calls are
+/// written out: every place is then a constant away from the star's.
 #[inline(always)]
 fn add_star_blocks<R: Real, G: Grid>(
     s: &mut impl Blocks<R, G>,
     i: usize,
     k: usize,
-    rows: &[[V3<R::Lanes>; 5]; 3],
+    [front, head, spine, tail, centre]: &[[V3<R::Lanes>; 3]; 5],
 ) {
-    for (later, earlier, which, column, shift) in PAIRS {
-        // The column at the spine is held.
-        if column < 0 && i == 1 {
-            continue;
-        }
-        let mut block = [[R::Lanes::zero(); 3]; 3];
-        for nodes in rows {
-            let (Some(a), Some(b)) = (nodes.get(later), nodes.get(earlier)) else { continue };
-            for (line, &ac) in block.iter_mut().zip(&a.0) {
-                for (slot, &bd) in line.iter_mut().zip(&b.0) {
-                    *slot = *slot + ac * bd;
-                }
-            }
-        }
-        s.add_block(which, i.wrapping_add_signed(column), k, shift, &block);
+    s.add_products(pair::SELF, i + 1, k, 0, front, front);
+    s.add_products(pair::HEADWARD, i + 1, k, 0, front, head);
+    s.add_products(pair::COLUMN2, i + 1, k, 0, front, spine);
+    s.add_products(pair::TAILWARD, i + 1, k, 0, front, tail);
+    s.add_products(pair::COLUMN, i + 1, k, 0, front, centre);
+    s.add_products(pair::TAILWARD, i, k, 1, head, spine);
+    s.add_products(pair::COLUMN, i, k, 0, centre, spine);
+    s.add_products(pair::HEADWARD, i, k, -1, tail, spine);
+    s.add_products(pair::SELF, i, k, 1, head, head);
+    s.add_products(pair::ROW, i, k, 1, head, centre);
+    s.add_products(pair::ROW2, i, k, 1, head, tail);
+    s.add_products(pair::SELF, i, k, 0, centre, centre);
+    s.add_products(pair::ROW, i, k, 0, centre, tail);
+    s.add_products(pair::SELF, i, k, -1, tail, tail);
+    // The column at the spine is held.
+    if i > 1 {
+        s.add_products(pair::SELF, i - 1, k, 0, spine, spine);
     }
 }
 

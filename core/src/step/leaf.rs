@@ -8,8 +8,7 @@ use super::matrix::Matrix;
 use super::matrix::NoMatrix;
 use super::merit::merit;
 use super::report::{StepReport, StepStatus};
-use super::star::{spread, star};
-use crate::constraint::dog::ROWS;
+use super::star::rows;
 use crate::grid::Grid;
 use crate::kkt::solve::Unknowns;
 use crate::kkt::{Factor, Stencil};
@@ -118,7 +117,8 @@ impl<R: Real, G: Grid> Solver<R, G> {
         }
     }
 
-    /// Eq. 4: matrix, factor, step.
+    /// Eq. 4: matrix, factor, step. A frame of its own on the stack, as the chains and the collisions have.
+    #[inline(never)]
     fn newton(
         &mut self,
         sheet: &Sheet<R, G>,
@@ -232,12 +232,12 @@ impl<R: Real, G: Grid> Solver<R, G> {
                     self.dx.rows(i, k, -1),
                     self.dx.rows(i, k, 0),
                 ];
-                let rows = star(&leaf.x, i, k).rows(scales.map(|v| v * weight));
-                for (row, named) in rows.iter().zip(ROWS) {
-                    let mut nodes = [V3::zero(); 5];
-                    spread(&mut nodes, named, &row.gradient);
+                let rows = rows(&leaf.x, i, k, &scales.map(|v| v * weight));
+                for (r, value) in rows.values.into_iter().enumerate() {
                     let lambda =
-                        nodes.iter().zip(steps).fold(row.value, |sum, (g, d)| sum + g.dot(d));
+                        rows.nodes.iter().zip(steps).fold(value, |sum, (node, d)| {
+                            node.get(r).map_or(sum, |g| sum + g.dot(d))
+                        });
                     largest = largest.larger(lambda.magnitude());
                 }
             }

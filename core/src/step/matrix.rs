@@ -4,7 +4,7 @@ use super::constant::Constant;
 use crate::grid::Grid;
 use crate::kkt::stencil::pair;
 use crate::kkt::{Factor, Stencil};
-use crate::real::Real;
+use crate::real::{Real, V3};
 
 /// Takes the blocks of the matrix as they come.
 pub trait Blocks<R: Real, G: Grid> {
@@ -12,6 +12,16 @@ pub trait Blocks<R: Real, G: Grid> {
     fn begin(&mut self, i: usize);
     /// A 3x3 block of the rows that travel together, at the later node of a pair.
     fn add_block(&mut self, which: usize, i: usize, k: usize, shift: isize, b: &[[R::Lanes; 3]; 3]);
+    /// `Σ_r later[r] · earlier[r]ᵀ`, as [`Blocks::add_block`] takes a block.
+    fn add_products(
+        &mut self,
+        which: usize,
+        i: usize,
+        k: usize,
+        shift: isize,
+        later: &[V3<R::Lanes>; 3],
+        earlier: &[V3<R::Lanes>; 3],
+    );
     /// The same number on the diagonal of one node.
     fn add_diagonal(&mut self, i: usize, k: usize, value: R);
     /// Nothing more will be added to the rows of column `i`.
@@ -49,6 +59,18 @@ impl<R: Real, G: Grid> Blocks<R, G> for Matrix<'_, R, G> {
         self.stencil.add_block(which, i, k, shift, b);
     }
     #[inline(always)]
+    fn add_products(
+        &mut self,
+        which: usize,
+        i: usize,
+        k: usize,
+        shift: isize,
+        later: &[V3<R::Lanes>; 3],
+        earlier: &[V3<R::Lanes>; 3],
+    ) {
+        self.stencil.add_products(which, i, k, shift, later, earlier);
+    }
+    #[inline(always)]
     fn add_diagonal(&mut self, i: usize, k: usize, value: R) {
         for c in 0..3 {
             self.stencil.add(pair::SELF, c, c, i, k, value);
@@ -69,6 +91,17 @@ impl<R: Real, G: Grid> Blocks<R, G> for NoMatrix {
     fn begin(&mut self, _: usize) {}
     #[inline(always)]
     fn add_block(&mut self, _: usize, _: usize, _: usize, _: isize, _: &[[R::Lanes; 3]; 3]) {}
+    #[inline(always)]
+    fn add_products(
+        &mut self,
+        _: usize,
+        _: usize,
+        _: usize,
+        _: isize,
+        _: &[V3<R::Lanes>; 3],
+        _: &[V3<R::Lanes>; 3],
+    ) {
+    }
     #[inline(always)]
     fn add_diagonal(&mut self, _: usize, _: usize, _: R) {}
     #[inline(always)]

@@ -66,6 +66,8 @@ pub struct StepReport {
     pub chain_solves: u32,
     /// Times something that would not come to rest by itself was put to rest.
     pub forced_rests: u32,
+    /// Steps that strained the sheet too much and were taken again in four parts.
+    pub parted: u32,
     /// Times a balanced leaf was nudged off its edge.
     pub nudged: u32,
     /// Input samples that were refused.
@@ -85,6 +87,7 @@ impl StepReport {
         self.clamped = self.clamped.saturating_add(o.clamped);
         self.chain_solves = self.chain_solves.saturating_add(o.chain_solves);
         self.forced_rests = self.forced_rests.saturating_add(o.forced_rests);
+        self.parted = self.parted.saturating_add(o.parted);
         self.nudged = self.nudged.saturating_add(o.nudged);
         self.refused = self.refused.saturating_add(o.refused);
     }

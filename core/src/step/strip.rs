@@ -1,4 +1,4 @@
-//! The step of a chain of the midline: Eq. 4 on at most twelve unknowns, dense, by nalgebra.
+//! The step of a chain of the midline: Eq. 4 on at most twelve unknowns, dense.
 //!
 //! Same condensation as the leaf's: `(H + JᵀJ/δ) dx = -(g + JᵀC/δ)` with `C_iso2D` as rows. A block is
 //! stepped for one leaf's share of it: its mass, stiffness and glue all grow with its leaves, so its
@@ -25,17 +25,27 @@ pub struct StripAsk<R> {
     pub contact: R,
 }
 
-/// Matrix and right-hand side while they are summed.
-struct System<R, const D: usize> {
-    a: SMatrix<R, D, D>,
-    b: SVector<R, D>,
+/// Matrix, column by column, and right-hand side while they are summed: one code for chains of every length.
+struct System<'a, R> {
+    a: &'a mut [R],
+    b: &'a mut [R],
 }
 
-impl<R: Real, const D: usize> System<R, D> {
+/// A chain of any length.
+#[derive(Clone, Copy)]
+struct Chain<'a, R> {
+    x: &'a [V2<R>],
+    v: &'a [V2<R>],
+    pushed: &'a [V2<R>],
+    offset: &'a [R],
+    holding: &'a [R],
+}
+
+impl<R: Real> System<'_, R> {
     /// Adds to the entry between coordinate `c` of free node `n` and `d` of `m`; node 0 is held.
     fn add(&mut self, (n, c): (usize, usize), (m, d): (usize, usize), value: R) {
         let (Some(row), Some(column)) = (unknown(n, c), unknown(m, d)) else { return };
-        if let Some(slot) = self.a.get_mut((row, column)) {
+        if let Some(slot) = self.a.get_mut(column * self.b.len() + row) {
             *slot += value;
         }
     }
@@ -73,48 +83,49 @@ pub fn step<R: Real, const N: usize, const D: usize>(
     fibre: &Fibre<R>,
     ask: &StripAsk<R>,
 ) -> bool {
-    let mut system = System { a: SMatrix::repeat(R::ZERO), b: SVector::repeat(R::ZERO) };
-    inertia(&mut system, strip, fibre, ask);
-    bend(&mut system, strip, fibre);
-    glued(&mut system, strip, fibre);
-    lengths(&mut system, strip, fibre, ask);
-    let solved: Option<SVector<R, D>> =
-        R::solve_small(system.a, &system.b).filter(|dx| within(dx, fibre.edge));
-    match solved {
-        Some(dx) => {
-            for (n, x) in strip.x.iter_mut().enumerate() {
-                let step = |c| {
-                    unknown(n, c)
-                        .map_or(R::ZERO, |row| dx.as_slice().get(row).copied().unwrap_or(R::ZERO))
-                };
-                *x = *x + V2([step(0), step(1)]);
-            }
-            true
-        }
-        None => {
-            strip.stop();
-            false
-        }
+    let (mut a, mut b) = (SMatrix::<R, D, D>::repeat(R::ZERO), SVector::<R, D>::repeat(R::ZERO));
+    let Strip { x, v, pushed, offset, holding } = &*strip;
+    let chain = Chain { x, v, pushed, offset, holding };
+    assemble(&mut System { a: a.as_mut_slice(), b: b.as_mut_slice() }, &chain, fibre, ask);
+    let solved = R::solve_small(&mut a, &mut b) && within(b.as_slice(), fibre.edge);
+    if !solved {
+        strip.stop();
+        return false;
     }
+    let (steps, _) = b.as_slice().as_chunks::<2>();
+    for (x, &step) in strip.x.iter_mut().skip(1).zip(steps) {
+        *x = *x + V2(step);
+    }
+    true
 }
 
-fn within<R: Real, const D: usize>(dx: &SVector<R, D>, edge: R) -> bool {
+fn within<R: Real>(dx: &[R], edge: R) -> bool {
     dx.iter().all(|d| d.magnitude() < R::of(2.0) * edge)
 }
 
-fn inertia<R: Real, const N: usize, const D: usize>(
-    system: &mut System<R, D>,
-    strip: &Strip<R, N>,
+#[inline(never)]
+fn assemble<R: Real>(
+    system: &mut System<'_, R>,
+    chain: &Chain<'_, R>,
     fibre: &Fibre<R>,
     ask: &StripAsk<R>,
 ) {
-    let nodes = strip
-        .x
-        .iter()
-        .zip(&strip.v)
-        .zip(strip.pushed.iter().zip(strip.offset.iter().zip(&strip.holding)));
+    inertia(system, chain, fibre, ask);
+    bend(system, chain, fibre);
+    glued(system, chain, fibre);
+    lengths(system, chain, fibre, ask);
+}
+
+fn inertia<R: Real>(
+    system: &mut System<'_, R>,
+    chain: &Chain<'_, R>,
+    fibre: &Fibre<R>,
+    ask: &StripAsk<R>,
+) {
+    let contacts = chain.pushed.iter().zip(chain.offset.iter().zip(chain.holding));
+    let nodes = chain.x.iter().zip(chain.v).zip(contacts);
     for (n, ((&x, &v), (&dir, (&o, &on)))) in nodes.enumerate() {
-        let m = fibre.mass * if n + 1 == N { R::of(0.5) } else { R::of(1.0) };
+        let m = fibre.mass * if n + 1 == chain.x.len() { R::of(0.5) } else { R::of(1.0) };
         let stiff = m / (ask.h * ask.h);
         system.add_symmetric(n, [stiff, R::ZERO, stiff]);
         system.pull(n, -(v * (m * ask.keep / ask.h)) - ask.gravity * m);
@@ -124,13 +135,9 @@ fn inertia<R: Real, const N: usize, const D: usize>(
     }
 }
 
-fn bend<R: Real, const N: usize, const D: usize>(
-    system: &mut System<R, D>,
-    strip: &Strip<R, N>,
-    fibre: &Fibre<R>,
-) {
+fn bend<R: Real>(system: &mut System<'_, R>, chain: &Chain<'_, R>, fibre: &Fibre<R>) {
     let a = fibre.bend;
-    for (n, three) in strip.x.array_windows::<3>().enumerate() {
+    for (n, three) in chain.x.array_windows::<3>().enumerate() {
         let flat = three.map(|p| V3([p.0[0], p.0[1], R::ZERO]));
         let l = bending::second(flat[1], flat[2], flat[0], a).xy();
         let shares = [(n, -a), (n + 1, R::of(2.0) * a), (n + 2, -a)];
@@ -145,12 +152,8 @@ fn bend<R: Real, const N: usize, const D: usize>(
     }
 }
 
-fn glued<R: Real, const N: usize, const D: usize>(
-    system: &mut System<R, D>,
-    strip: &Strip<R, N>,
-    fibre: &Fibre<R>,
-) {
-    if let [from, to, ..] = strip.x.as_slice() {
+fn glued<R: Real>(system: &mut System<'_, R>, chain: &Chain<'_, R>, fibre: &Fibre<R>) {
+    if let [from, to, ..] = chain.x {
         let up = V2([R::ZERO, R::of(1.0)]);
         let g = glue::edge(*to - *from, up, fibre.edge, fibre.glue);
         system.pull(1, g.gradient);
@@ -158,14 +161,14 @@ fn glued<R: Real, const N: usize, const D: usize>(
     }
 }
 
-fn lengths<R: Real, const N: usize, const D: usize>(
-    system: &mut System<R, D>,
-    strip: &Strip<R, N>,
+fn lengths<R: Real>(
+    system: &mut System<'_, R>,
+    chain: &Chain<'_, R>,
     fibre: &Fibre<R>,
     ask: &StripAsk<R>,
 ) {
     let w = R::of(1.0) / ask.delta;
-    for (n, [from, to]) in strip.x.array_windows::<2>().enumerate() {
+    for (n, [from, to]) in chain.x.array_windows::<2>().enumerate() {
         let (residual, row) = length::row(*to - *from, fibre.edge * fibre.edge);
         system.pull(n + 1, row * (w * residual));
         system.pull(n, -(row * (w * residual)));

@@ -2,7 +2,7 @@
 
 use crate::sim::RealName;
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use dogleaf_core::scene::{Direction, Fidelity};
+use dogleaf_core::scene::{Direction, Fidelity, Handling};
 use std::path::PathBuf;
 
 /// Turns the pages of real books, as paper turns.
@@ -92,6 +92,25 @@ impl From<DirectionName> for Direction {
     }
 }
 
+/// How a finger holds a page.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub(crate) enum HandName {
+    /// On a spring, as the book paper's: stretches the sheet least.
+    #[default]
+    Spring,
+    /// The paper stays under the finger, as on a touch screen; best with `--fidelity fine`.
+    Finger,
+}
+
+impl From<HandName> for Handling {
+    fn from(name: HandName) -> Self {
+        match name {
+            HandName::Spring => Self::SPRING,
+            HandName::Finger => Self::FINGER,
+        }
+    }
+}
+
 /// Turns a page of a book and shows it.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
@@ -117,6 +136,9 @@ pub(crate) struct TurnArgs {
     /// How exact.
     #[arg(long, value_enum, default_value_t)]
     pub(crate) fidelity: FidelityName,
+    /// How the finger holds the page.
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) hand: HandName,
     /// Pixels of the picture.
     #[arg(long, value_name = "WxH", default_value = "960x720", value_parser = size)]
     pub(crate) size: [u32; 2],

@@ -1,6 +1,7 @@
-//! Lines of text to semihosting's stderr.
+//! Lines of text to semihosting's console, which the emulator shows on stderr.
 
-use semihosting::io::{Write, stderr};
+use core::ffi::CStr;
+use semihosting::sys::arm_compat::sys_write0;
 
 /// Longest line, bytes; what is beyond is cut off.
 const MOST: usize = 120;
@@ -8,7 +9,8 @@ const MOST: usize = 120;
 /// A line in the making.
 #[derive(Debug, Clone)]
 pub struct Line {
-    bytes: [u8; MOST],
+    /// The last one stays a nought.
+    bytes: [u8; MOST + 1],
     length: usize,
 }
 
@@ -21,13 +23,14 @@ impl Default for Line {
 impl Line {
     /// An empty line.
     pub fn new() -> Self {
-        Self { bytes: [0; MOST], length: 0 }
+        Self { bytes: [0; MOST + 1], length: 0 }
     }
 
     /// Adds one byte.
     #[must_use]
+    #[inline(never)]
     pub fn byte(mut self, byte: u8) -> Self {
-        if let Some(place) = self.bytes.get_mut(self.length) {
+        if let Some(place) = self.bytes.get_mut(self.length).filter(|_| self.length < MOST) {
             *place = byte;
             self.length += 1;
         }
@@ -36,12 +39,14 @@ impl Line {
 
     /// Adds words.
     #[must_use]
+    #[inline(never)]
     pub fn text(self, text: &str) -> Self {
         text.bytes().fold(self, Self::byte)
     }
 
     /// Adds a number, in decimal digits.
     #[must_use]
+    #[inline(never)]
     pub fn number(mut self, number: u32) -> Self {
         let mut power = 1_000_000_000;
         let mut begun = false;
@@ -58,6 +63,7 @@ impl Line {
 
     /// Adds a hash, in sixteen hexadecimal digits.
     #[must_use]
+    #[inline(never)]
     pub fn hash(mut self, hash: u64) -> Self {
         for place in (0..16).rev() {
             let digit = (hash >> (4 * place)) as u8 & 15;
@@ -69,8 +75,8 @@ impl Line {
     /// Says the line. Where nobody listens, nothing happens.
     pub fn say(self) {
         let line = self.byte(b'\n');
-        if let (Ok(mut out), Some(text)) = (stderr(), line.bytes.get(..line.length)) {
-            let _ = out.write_all(text);
+        if let Ok(text) = CStr::from_bytes_until_nul(&line.bytes) {
+            sys_write0(text);
         }
     }
 }

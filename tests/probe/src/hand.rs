@@ -6,8 +6,9 @@ use crate::work::Pick;
 use crate::{CASES, Row};
 use dogleaf_core::grid::G6x5;
 use dogleaf_core::hand::tent::Tent;
+use dogleaf_core::hand::view::Ray;
 use dogleaf_core::hand::{Phase, Sample, View};
-use dogleaf_core::real::Real;
+use dogleaf_core::real::{Real, V3};
 use dogleaf_core::record::{Reader, Recorder, Setup, SliceSink};
 use dogleaf_core::scene::{BookSpec, Units};
 
@@ -15,29 +16,49 @@ use dogleaf_core::scene::{BookSpec, Units};
 const RECORDINGS: usize = 40;
 
 /// All of them.
-pub(crate) fn table<R: Pick>() -> [Row; 4] {
+pub(crate) fn table<R: Pick>() -> [Row; 5] {
     [
         ("hand.tent", |_| tents::<R>()),
+        ("hand.aim", |_| aims::<R>()),
         ("hand.ray", |_| rays::<R>()),
         ("hand.camera", |_| cameras::<R>()),
         ("record.crc", |_| recordings::<R>()),
     ]
 }
 
+fn tent<R: Real>(random: &mut Random) -> Tent<R> {
+    let mut some = |least: f64, size: f64| R::of(least) + random.within(size);
+    Tent {
+        root: some(0.0, 1.0),
+        radius: some(5.0, 4.5),
+        floor: [some(1.0, 1.0), some(1.0, 1.0)],
+        ends: [some(6.0, 6.0), some(6.0, 6.0)],
+        lain: V3([R::ZERO; 3]),
+    }
+}
+
 fn tents<R: Real>() -> u64 {
     let (mut random, mut fold) = (Random::named("tent"), Fold::START);
     for _ in 0..CASES {
-        let mut some = |least: f64, size: f64| R::of(least) + random.within(size);
-        let tent = Tent {
-            root: some(0.0, 1.0),
-            radius: some(5.0, 4.5),
-            floor: [some(1.0, 1.0), some(1.0, 1.0)],
-            ends: [some(6.0, 6.0), some(6.0, 6.0)],
-        };
-        let x = some(0.0, 12.0);
-        fold.real(tent.reach());
-        fold.real(tent.height(x));
-        tent.sideways(x).into_iter().for_each(|v| fold.real(v));
+        let tent = tent::<R>(&mut random);
+        let x = R::of(0.0) + random.within(12.0);
+        let height = tent.height(x);
+        fold.real(tent.reach(x));
+        fold.real(height);
+        tent.sideways(x, height).into_iter().for_each(|v| fold.real(v));
+    }
+    fold.value()
+}
+
+/// Where a firm hand wants its node under rays from all around, on the tent and below it.
+fn aims<R: Real>() -> u64 {
+    let (mut random, mut fold) = (Random::named("aim"), Fold::START);
+    for _ in 0..CASES {
+        let tent = Tent { lain: random.v3(8.0), ..tent::<R>(&mut random) };
+        let from = random.v3(10.0) + V3([R::ZERO, R::of(30.0), R::of(12.0)]);
+        let aim = tent.aim(&Ray { from, along: random.v3(8.0) - from });
+        fold.v3(aim.at);
+        fold.word(u64::from(aim.clamped));
     }
     fold.value()
 }

@@ -182,7 +182,9 @@ impl<R: Real> Seen<R> {
 
 /// I8: more work than is allowed.
 pub fn excess(report: &StepReport, settings: &Settings) -> Option<String> {
-    let substeps = report.steps * settings.substeps;
+    // Each once, or once and then in four parts.
+    let once = report.steps * settings.substeps;
+    let substeps = once + 4 * report.parted.min(once);
     let searches = report.newton_steps * (1 + settings.refinements);
     let over = report.steps > 8
         || report.newton_steps > substeps * settings.newton

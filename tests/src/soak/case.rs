@@ -275,9 +275,11 @@ impl Play<'_> {
 /// More work in one step than is allowed.
 fn excess(report: &StepReport, scene: &Scene) -> Option<String> {
     let settings = scene.fidelity.settings();
-    let newton = settings.substeps * settings.newton;
-    let passes = settings.substeps * settings.passes;
+    // Each substep once, or once and then in four parts.
+    let solves = settings.substeps + 4 * report.parted.min(settings.substeps);
+    let (newton, passes) = (solves * settings.newton, solves * settings.passes);
     let over = report.newton_steps > newton
+        || report.parted > settings.substeps
         || report.passes > passes
         || report.cuts > settings.trials * report.newton_steps
         || report.steps > 1;

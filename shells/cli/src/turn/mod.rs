@@ -30,7 +30,8 @@ pub(crate) fn turn(args: &TurnArgs) -> Result<(), CliError> {
     // Before the work, so that a place nobody can write to is refused at once.
     let [width, height] = args.size;
     let writer = Writer::create(&args.out, width, height, FPS)?;
-    let play = Play { book, paper, view: hand_view, fidelity: args.fidelity.into() };
+    let (fidelity, handling) = (args.fidelity.into(), args.hand.into());
+    let play = Play { book, paper, view: hand_view, fidelity, handling };
     let (film, figures) = play.run(&samples)?;
     film.write(&mut look, writer)?;
     report::print(&figures, args.json, &shown(&args.out))

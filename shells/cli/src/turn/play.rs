@@ -8,7 +8,7 @@ use dogleaf_core::Book;
 use dogleaf_core::event::Event;
 use dogleaf_core::grid::G11x8;
 use dogleaf_core::hand::{Sample, View};
-use dogleaf_core::scene::{BookSpec, Cover, Fidelity, PaperSpec, WorldSpec};
+use dogleaf_core::scene::{BookSpec, Cover, Fidelity, Handling, PaperSpec, WorldSpec};
 use dogleaf_core::step::StepReport;
 use std::time::Instant;
 
@@ -27,6 +27,7 @@ pub(super) struct Play {
     pub(super) paper: PaperSpec,
     pub(super) view: View,
     pub(super) fidelity: Fidelity,
+    pub(super) handling: Handling,
 }
 
 /// What is told of it.
@@ -125,6 +126,7 @@ impl Play {
     ) -> Result<(), CliError> {
         let world = WorldSpec::default();
         book.open(&self.book, &self.paper, &world, &self.view, self.fidelity)?;
+        book.handle(self.handling)?;
         each(0, book, &StepReport::default(), 0.0)?;
         let last_us = samples.last().map_or(0, |s| s.t_us).min(LONGEST_US);
         let mut left = samples.iter().peekable();
