@@ -6,7 +6,7 @@ use crate::tally::Tally;
 use crate::words::{self, Result, Stop, no_args};
 
 /// Cheap words first; then in the order in which they can use each other's builds.
-const ORDER: [&[&str]; 17] = [
+const ORDER: [&[&str]; 18] = [
     &["fmt", "--check"],
     &["tree"],
     &["slots", "--check"],
@@ -22,6 +22,7 @@ const ORDER: [&[&str]; 17] = [
     &["bindings", "--check"],
     &["android"],
     &["android-size"],
+    &["swift"],
     &["fuzz"],
     &["desktop"],
 ];

@@ -17,6 +17,7 @@ mod size;
 mod slots;
 mod source;
 mod style;
+mod swift;
 mod tally;
 mod tests;
 mod tools;

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use crate::tally::Tally;
 use crate::{
     all, android, bindings, desktop, fuzz, hashes, no_std, peers, seed_slots, size, slots, style,
-    tests, tree,
+    swift, tests, tree,
 };
 
 /// Why a word did not pass.
@@ -111,6 +111,12 @@ const WORDS: &[Word] = &[
         args: "",
         about: "what a phone would load: bytes, alignment, exports, a table",
         run: android::size,
+    },
+    Word {
+        name: "swift",
+        args: "[--bless]",
+        about: "the Swift shell: its sources, its shaders (or write them), its library",
+        run: swift::swift,
     },
     Word {
         name: "soak",
