@@ -179,8 +179,14 @@ internal class BookStage(
 
     override fun onDrawFrame(gl: GL10?) {
         val (frames, renderer, pages) = Triple(frames ?: return, renderer ?: return, pages ?: return)
-        touches.drain(frames)
-        frames.step(System.nanoTime() / 1000)
+        try {
+            touches.drain(frames)
+            frames.step(System.nanoTime() / 1000)
+        } catch (_: DogleafException.Panicked) {
+            view.requestRender() // the book was put back to rest, and goes on
+        } catch (_: DogleafException.Closed) {
+            return
+        }
         frames.notices(tell)
         renderer.draw(frames)
         pages.want(renderer.missingPages(), width, height)
@@ -188,7 +194,7 @@ internal class BookStage(
     }
 
     private fun take(picture: PagePicture) {
-        val renderer = renderer ?: return
+        val renderer = renderer ?: return pages?.forget() ?: Unit // to be asked for again
         renderer.keepPages { pages?.near(it, book?.page()?.toInt() ?: 0) ?: false }
         renderer.setPage(picture.number, picture.width, picture.height, picture.rgba)
         view.requestRender()
