@@ -176,3 +176,25 @@ fn every_shape_of_page_turns() {
         }
     }
 }
+
+/// The system takes the finger away (a call, a swipe of its own): no page turns by that, wherever the leaf is.
+#[test]
+fn a_finger_that_is_taken_away_puts_the_leaf_back() {
+    for direction in [Direction::Ltr, Direction::Rtl] {
+        let mut setup = setup();
+        setup.book.direction = direction;
+        let whole = turn(&setup, 3);
+        for tenth in 1..10 {
+            let mut samples = whole[..whole.len() * tenth / 10].to_vec();
+            samples.last_mut().expect("a sample").phase = Phase::Cancel;
+            let mut read = open(&setup);
+            let mut seen = Seen::default();
+            let _ = run(&mut read, &samples, &mut seen, START_US);
+            assert_eq!(
+                (seen.ends(), read.page()),
+                ([1, 0, 1], 20),
+                "{tenth} tenths, {direction:?}"
+            );
+        }
+    }
+}

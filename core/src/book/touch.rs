@@ -263,9 +263,15 @@ impl<R: Real, G: Grid> Book<R, G> {
         true
     }
 
-    /// The system took the pointer: the leaf is let go where it is, and falls.
+    /// The system took the pointer: the leaf goes back where it came from, wherever it is.
     fn cancel(&mut self) -> bool {
+        let (guide, grab) = (self.guide, self.grab);
         self.free_hand();
+        self.guide = guide.map(|mut guide| {
+            guide.put_back(self.binding.from_right);
+            guide
+        });
+        self.grab = grab;
         self.wake();
         true
     }

@@ -31,6 +31,8 @@ const LEAST_LEASH: f64 = 0.1;
 const SLOPE_PULL: f64 = 60.0;
 /// Slowest release that follows through, units/s.
 const LEAST_SPEED: f64 = 6.0;
+/// How fast a hand carries a leaf back, units/s.
+const BACK: f64 = 40.0;
 /// Least way the finger went before its speed counts, as a share of the node's distance.
 const LEAST_WAY: f64 = 0.05;
 /// How far past the peak the leaf is let go, as a share of the reach.
@@ -244,7 +246,14 @@ impl<R: Real> Guide<R> {
         let meant =
             speed.magnitude() > R::of(LEAST_SPEED) && way > reach.tent.radius * R::of(LEAST_WAY);
         self.motion = Motion::Following(speed);
+        self.lean = V3::zero();
         meant && enough
+    }
+
+    /// The finger was taken away: the hand carries the leaf back to the side it came from.
+    pub fn put_back(&mut self, from_right: bool) {
+        self.motion = Motion::Following(R::of(if from_right { BACK } else { -BACK }));
+        self.lean = V3::zero();
     }
 
     /// Moves the target by one step of `h` seconds, as near `node` as the leash asks.
