@@ -2,7 +2,7 @@
 
 use crate::options::mirrored;
 use dogleaf_core::grid::G11x8;
-use dogleaf_core::mesh::{self, Layout, Vertex};
+use dogleaf_core::mesh::{self, Vertex};
 use dogleaf_core::reading::{self, Reading, Shape};
 
 type Sizes = Shape<G11x8>;
@@ -119,9 +119,6 @@ pub(crate) struct Mesh {
 const ALPHA: f32 = 14_000.0;
 /// What passes less than this counts as opaque.
 const OPAQUE: f32 = 1e-3;
-/// Mean gap at which a leaf counts as free of the page beneath, as a share of its width.
-const FREE: f32 = 0.12;
-
 impl Mesh {
     pub(crate) fn new() -> Self {
         let mut indices = vec![0; Sizes::INDICES].into_boxed_slice();
@@ -227,23 +224,12 @@ fn reverse(of: &reading::Piece, all: &[reading::Piece]) -> Option<u32> {
     }
 }
 
-/// How far a leaf has left the page beneath, 0 to 1, from the mean gap between the two: both have the same columns.
-/// What passes a leaf that lies comes back from the page.
+/// How far a leaf has left the page beneath, 0 to 1.
 fn free(pieces: &[reading::Piece], vertices: &[Vertex], flying: bool) -> f32 {
     let of = |surface, flying| {
         let piece = pieces.iter().find(|p| p.surface == surface && p.flying == flying && p.visible);
         piece.and_then(|p| vertices.get(p.vertices.clone())).unwrap_or_default()
     };
     let leaf = of(mesh::Surface::LeafUp, flying);
-    let edge = leaf.last().map_or([0.0; 3], |v| v.position);
-    let top = if edge[0] < 0.0 { mesh::Surface::LeftTop } else { mesh::Surface::RightTop };
-    let block = of(top, false);
-    let gaps = leaf.chunks_exact(Layout::<G11x8>::ROWS).enumerate().flat_map(|(column, line)| {
-        let floor = block.get(2 * column).map_or(0.0, |v| v.position[1]);
-        line.iter().map(move |v| (v.position[1] - floor).abs())
-    });
-    let mean = gaps.sum::<f32>() / leaf.len().max(1) as f32;
-    let width = edge[0].hypot(edge[1]).max(1e-3);
-    let t = (mean / (FREE * width)).min(1.0);
-    t * t * (3.0 - 2.0 * t)
+    mesh::free::<G11x8>(leaf, of(mesh::lies_beneath(leaf), false))
 }

@@ -26,6 +26,7 @@ mod clear;
 mod columns;
 mod curve;
 mod fold;
+mod free;
 mod indices;
 mod layout;
 mod leaf;
@@ -36,6 +37,7 @@ mod spline;
 pub mod vertex;
 
 pub use board::{BOARD_M, OVERHANG_M, table_drop_m};
+pub use free::{free, lies_beneath};
 pub use indices::indices;
 pub(crate) use layout::enough;
 pub use layout::{Counts, Layout, MeshError, PARTS, Part, Surface};

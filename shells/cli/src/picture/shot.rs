@@ -63,24 +63,11 @@ pub(crate) fn book_shot<R: Real, G: Grid>(
     })
 }
 
-/// Mean gap at which a leaf counts as free of the page beneath, as a share of its width.
-const FREE: f32 = 0.12;
-
-/// From the mean gap between the leaf and the block it leans over; both have the same columns.
 fn free<G: Grid>(vertices: &[Vertex], counts: &Counts) -> f32 {
-    let of = |surface| counts.part(surface).and_then(|p| vertices.get(p.vertices.clone()));
-    let leaf = of(Surface::LeafUp).unwrap_or_default();
-    let edge = leaf.last().map_or([0.0; 3], |v| v.position);
-    let top = if edge[0] < 0.0 { Surface::LeftTop } else { Surface::RightTop };
-    let there = counts.part(top).is_some_and(|p| p.visible);
-    let block = of(top).filter(|_| there).unwrap_or_default();
-    let rows = Layout::<G>::ROWS;
-    let gaps = leaf.chunks_exact(rows).enumerate().flat_map(|(column, line)| {
-        let floor = block.get(2 * column).map_or(0.0, |v| v.position[1]);
-        line.iter().map(move |v| (v.position[1] - floor).abs())
-    });
-    let mean = gaps.sum::<f32>() / leaf.len().max(1) as f32;
-    let width = edge[0].hypot(edge[1]).max(1e-3);
-    let t = (mean / (FREE * width)).min(1.0);
-    t * t * (3.0 - 2.0 * t)
+    let of = |surface| {
+        let part = counts.part(surface).filter(|p| p.visible);
+        part.and_then(|p| vertices.get(p.vertices.clone())).unwrap_or_default()
+    };
+    let leaf = of(Surface::LeafUp);
+    mesh::free::<G>(leaf, of(mesh::lies_beneath(leaf)))
 }

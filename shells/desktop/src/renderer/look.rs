@@ -2,7 +2,7 @@
 
 use dogleaf_core::book::Book;
 use dogleaf_core::grid::Grid;
-use dogleaf_core::mesh::{Layout, Surface, Vertex};
+use dogleaf_core::mesh::{self, Surface, Vertex};
 use dogleaf_core::reading::{Face, Piece};
 use dogleaf_core::real::Real;
 
@@ -16,9 +16,6 @@ const WOOD: [f32; 3] = [0.105, 0.066, 0.042];
 const ALPHA: f32 = 14_000.0;
 /// What passes less than this counts as opaque.
 const OPAQUE: f32 = 1e-3;
-/// Mean gap at which a leaf counts as free of the page beneath, as a share of its width.
-const FREE: f32 = 0.12;
-
 /// How the shader shall take a piece: its uniforms of the same names.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Look {
@@ -68,23 +65,13 @@ impl Leaves {
     }
 }
 
-/// From the mean gap between a leaf and the block it leans over; both have the same columns.
 fn free<G: Grid>(pieces: &[Piece], vertices: &[Vertex], flying: bool) -> f32 {
     let of = |surface, flying| {
         let piece = pieces.iter().find(|p| p.surface == surface && p.flying == flying && p.visible);
         piece.and_then(|p| vertices.get(p.vertices.clone())).unwrap_or_default()
     };
     let leaf = of(Surface::LeafUp, flying);
-    let edge = leaf.last().map_or([0.0; 3], |v| v.position);
-    let block = of(if edge[0] < 0.0 { Surface::LeftTop } else { Surface::RightTop }, false);
-    let gaps = leaf.chunks_exact(Layout::<G>::ROWS).enumerate().flat_map(|(column, line)| {
-        let floor = block.get(2 * column).map_or(0.0, |v| v.position[1]);
-        line.iter().map(move |v| (v.position[1] - floor).abs())
-    });
-    let mean = gaps.sum::<f32>() / leaf.len().max(1) as f32;
-    let width = edge[0].hypot(edge[1]).max(1e-3);
-    let t = (mean / (FREE * width)).min(1.0);
-    t * t * (3.0 - 2.0 * t)
+    mesh::free::<G>(leaf, of(mesh::lies_beneath(leaf), false))
 }
 
 /// The look of one piece among all.
