@@ -4,7 +4,7 @@
 use dogleaf_core::grid::G11x8;
 use dogleaf_core::hand::{Phase, Sample, View};
 use dogleaf_core::mesh::Vertex;
-use dogleaf_core::reading::{FACES, Face, Motion, Shape, Tick};
+use dogleaf_core::reading::{FACES, Face, Motion, MotionPolicy, Shape, Tick};
 use dogleaf_core::record::Setup;
 use dogleaf_core::scene::{Direction, Pages};
 use dogleaf_tests::app::{FRAME_US, Read, START_US, Seen, open, played, run, run_to, setup, turn};
@@ -49,6 +49,37 @@ fn a_finger_marks_a_page_while_others_are_flipped() {
     assert_eq!(read.book().binding().all(), 30, "no leaf is lost");
     assert_eq!(seen.ends()[0], 1);
     assert!(seen.ticks().iter().filter(|t| **t == Tick::Flip).count() >= 6, "each is felt");
+}
+
+/// What is not to be seen moving is not drawn because a second finger moves it.
+#[test]
+fn no_leaf_flies_where_nothing_is_to_move() {
+    for (name, policy) in [("reduced", MotionPolicy::Reduced), ("none", MotionPolicy::None)] {
+        let mut read = open(&setup());
+        read.set_motion(Motion { policy, cap_us: None }).expect("a policy");
+        let mut seen = Seen::default();
+        let whole = turn(&setup(), 8);
+        let mut samples = whole[..whole.len() * 45 / 100].to_vec();
+        let last = samples[samples.len() - 1];
+        for n in 0..=20_i32 {
+            let phase = if n == 0 { Phase::Down } else { Phase::Move };
+            let t_us = last.t_us + 20_000 * n as u64;
+            samples.push(Sample {
+                t_us,
+                id: 1,
+                phase,
+                x: (900 - 10 * n) * 256,
+                y: 300 * 256,
+                leaves: 0,
+            });
+        }
+        let now = run_to(&mut read, &samples[..1], &mut seen, START_US);
+        let _ = read.step(now, &mut seen.hashes);
+        let pictures = seen.pictures.len();
+        let _ = run_to(&mut read, &samples[1..], &mut seen, now);
+        assert_eq!(read.book().binding().held, 4, "{name}: three were flipped");
+        assert_eq!(seen.pictures.len(), pictures, "{name}: and nothing drawn");
+    }
 }
 
 /// Where one page is seen, a drag inwards turns on and a drag outwards pulls the last page back.

@@ -109,7 +109,9 @@ pub fn run_to(read: &mut Read, samples: &[Sample], seen: &mut Seen, from_us: u64
         while let Some(s) = left.next_if(|s| s.t_us <= now) {
             read.pointer(*s, &mut seen.hashes).expect("in order");
         }
-        let _ = read.step(now, &mut seen.hashes);
+        if read.step(now, &mut seen.hashes).draw {
+            seen.pictures.push(now - START_US);
+        }
         seen.notices.extend(std::iter::from_fn(|| read.take_notice()));
     }
     now

@@ -57,9 +57,8 @@ impl<R: Real, G: Grid> Reading<R, G> {
     }
 
     fn advance(&mut self, passed: u64, steps: u64, tape: &mut impl Tape, report: &mut StepReport) {
-        if self.trail.advance(passed) {
-            self.dirty = true;
-        }
+        let flies = self.trail.advance(passed);
+        self.dirty |= flies && self.motion.policy.follows();
         let free = self.book.leaf().is_some() && self.down == 0 && self.auto.is_none();
         let before = self.free_us;
         self.free_us = if free { before.saturating_add(passed) } else { 0 };
