@@ -3,9 +3,10 @@
 mod reference;
 mod support;
 
+use dogleaf_content::Book;
 use dogleaf_desktop::headless::{self, Headless};
 use dogleaf_desktop::{BookRenderer, BookView};
-use reference::{Apart, apart, keep, reference};
+use reference::{Apart, apart, keep, picture, sheets};
 use std::time::Instant;
 use support::{book, options, play, samples};
 
@@ -32,6 +33,11 @@ fn at(gesture: &str, until_us: u64) -> BookView {
     let mut view = BookView::open(book(), &options(), || ()).expect("a sound book");
     play(&mut view, &samples(gesture), until_us);
     view
+}
+
+fn reference(view: &mut BookView, content: &Book) -> Vec<u8> {
+    let sheets = sheets(view, content, view.page_size());
+    picture(view, &sheets, options().size)
 }
 
 fn drawn(view: &mut BookView, renderer: &mut BookRenderer) -> Vec<u8> {

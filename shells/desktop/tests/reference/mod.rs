@@ -1,6 +1,6 @@
 //! A book's picture by the software renderer: the reference; and how far another one is from it.
 
-use dogleaf_content::Book;
+use dogleaf_content::{Book, Picture};
 use dogleaf_core::mesh::{Surface, Vertex, table_drop_m};
 use dogleaf_core::reading::{Face, Piece};
 use dogleaf_desktop::{BookView, Lamp, Leaves};
@@ -10,19 +10,25 @@ use dogleaf_render::{
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// The reference picture: RGB bytes, rows from the top.
-pub(crate) fn reference(view: &mut BookView, content: &Book) -> Vec<u8> {
+/// Pictures of pages, by their numbers.
+pub(crate) type Sheets = BTreeMap<u32, Picture>;
+
+/// Pictures of the pages that are seen, as large as `texels` at most.
+pub(crate) fn sheets(view: &mut BookView, content: &Book, texels: [u32; 2]) -> Sheets {
+    let pieces = view.mesh().expect("a mesh");
+    let seen = pieces.iter().filter(|p| p.visible).filter_map(|p| page(p.face));
+    let printed = seen.filter(|page| (*page as usize) < content.page_count());
+    let made = |page: u32| content.page(page as usize, texels[0], texels[1]);
+    printed.map(|page| (page, made(page).expect("a sound page"))).collect()
+}
+
+/// The reference picture: RGB bytes, rows from the top. Its shape is that of the view, its size need not be.
+pub(crate) fn picture(view: &mut BookView, sheets: &Sheets, size: [u32; 2]) -> Vec<u8> {
     let pieces = view.mesh().expect("a mesh");
     let leaves = Leaves::of(view.reading().book(), &pieces, view.vertices());
-    let texels = view.page_size();
-    let mut pages = BTreeMap::new();
-    for page in pieces.iter().filter_map(|p| page(p.face)) {
-        if (page as usize) < content.page_count() {
-            let picture = content.page(page as usize, texels[0], texels[1]).expect("a sound page");
-            let texture = Texture::from_rgba8(picture.width, picture.height, &picture.rgba);
-            pages.insert(page, texture.expect("a texture"));
-        }
-    }
+    let texture = |p: &Picture| Texture::from_rgba8(p.width, p.height, &p.rgba);
+    let pages: BTreeMap<u32, Texture> =
+        sheets.iter().map(|(n, p)| (*n, texture(p).expect("a texture"))).collect();
     let setup = view.setup();
     let mut indices = vec![0; dogleaf_core::reading::Shape::<dogleaf_core::grid::G11x8>::INDICES];
     dogleaf_desktop::view::Paper::indices(&mut indices).expect("room for the indices");
@@ -46,7 +52,7 @@ pub(crate) fn reference(view: &mut BookView, content: &Book) -> Vec<u8> {
         up: Vec3::new(0.0, 1.0, -1e-3),
         fov_y_rad: v.fov_y_deg.to_radians() as f32,
     };
-    let mut renderer = Renderer::new(v.width_px, v.height_px, 8).expect("a renderer");
+    let mut renderer = Renderer::new(size[0], size[1], 8).expect("a renderer");
     let lights = Lights::reading_room();
     assert_eq!(lights.point.position.to_array(), Lamp::READING.position, "one lamp for both");
     renderer.render(&camera, &lights, &patches).expect("a picture").to_vec()

@@ -7,7 +7,7 @@ use dogleaf_desktop::{BookView, Options, gesture};
 use std::path::{Path, PathBuf};
 
 /// Time between two frames, microseconds.
-const FRAME_US: u64 = 16_667;
+pub(crate) const FRAME_US: u64 = 16_667;
 
 /// A file of the fixtures.
 pub(crate) fn fixture(name: &str) -> PathBuf {
