@@ -5,7 +5,8 @@ import java.io.File
 
 internal const val FRAME_US: Long = 16_667
 
-private val fixtures = File(System.getProperty("dogleaf.fixtures"))
+/** The folder of the fixtures. */
+internal val fixtures: File = File(System.getProperty("dogleaf.fixtures"))
 
 /** A paperback of 320 pages, open at 120, in a view of 960 by 720. */
 internal fun options(): BookOptions = bookOptions(320u, 960u, 720u).copy(openAt = 120u)

@@ -55,6 +55,13 @@ private object GLESv2 {
     @JvmStatic external fun glBindFramebuffer(target: Int, framebuffer: Int)
     @JvmStatic external fun glGetIntegerv(name: Int, out: IntArray)
     @JvmStatic external fun glFramebufferTexture2D(target: Int, place: Int, kind: Int, texture: Int, level: Int)
+    @JvmStatic external fun glGenRenderbuffers(count: Int, out: IntArray)
+    @JvmStatic external fun glBindRenderbuffer(target: Int, buffer: Int)
+    @JvmStatic external fun glRenderbufferStorageMultisample(target: Int, samples: Int, inside: Int, width: Int, height: Int)
+    @JvmStatic external fun glFramebufferRenderbuffer(target: Int, place: Int, kind: Int, buffer: Int)
+    @JvmStatic external fun glBlitFramebuffer(
+        x0: Int, y0: Int, x1: Int, y1: Int, toX0: Int, toY0: Int, toX1: Int, toY1: Int, mask: Int, filter: Int,
+    )
     @JvmStatic external fun glDrawBuffers(count: Int, names: IntArray)
     @JvmStatic external fun glReadBuffer(name: Int)
     @JvmStatic external fun glCheckFramebufferStatus(target: Int): Int
@@ -190,10 +197,37 @@ internal class JvmGles : Gles {
 
     override fun drawArrays(count: Int): Unit = GLESv2.glDrawArrays(Gl.TRIANGLES, 0, count)
 
+    /** Gives the bound framebuffer colour and depth of up to [wanted] samples a pixel; answers how many it has. */
+    fun attachSamples(wanted: Int, width: Int, height: Int): Int {
+        val samples = minOf(wanted, made { GLESv2.glGetIntegerv(MAX_SAMPLES, it) })
+        for ((place, inside) in listOf(Gl.COLOR_ATTACHMENT0 to Gl.RGBA8, Gl.DEPTH_ATTACHMENT to Gl.DEPTH_COMPONENT24)) {
+            val buffer = made { GLESv2.glGenRenderbuffers(1, it) }
+            GLESv2.glBindRenderbuffer(RENDERBUFFER, buffer)
+            GLESv2.glRenderbufferStorageMultisample(RENDERBUFFER, samples, inside, width, height)
+            GLESv2.glFramebufferRenderbuffer(Gl.FRAMEBUFFER, place, RENDERBUFFER, buffer)
+        }
+        return samples
+    }
+
+    /** Makes one sample a pixel of many: from framebuffer [many] into [one], which is bound afterwards. */
+    fun resolve(many: Int, one: Int, width: Int, height: Int) {
+        GLESv2.glBindFramebuffer(READ_FRAMEBUFFER, many)
+        GLESv2.glBindFramebuffer(DRAW_FRAMEBUFFER, one)
+        GLESv2.glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, Gl.COLOR_BUFFER_BIT, NEAREST)
+        bindFramebuffer(one)
+    }
+
     /** What was drawn: RGBA bytes, rows from the bottom. */
     fun read(width: Int, height: Int): ByteBuffer {
         val bytes = ByteBuffer.allocateDirect(4 * width * height)
         GLESv2.glReadPixels(0, 0, width, height, Gl.RGBA, Gl.UNSIGNED_BYTE, Native.getDirectBufferPointer(bytes))
         return bytes
+    }
+    private companion object {
+        const val MAX_SAMPLES = 0x8D57
+        const val RENDERBUFFER = 0x8D41
+        const val READ_FRAMEBUFFER = 0x8CA8
+        const val DRAW_FRAMEBUFFER = 0x8CA9
+        const val NEAREST = 0x2600
     }
 }

@@ -27,9 +27,7 @@ class RendererTest {
             drawString("$number", W / 8, H / 6)
             dispose()
         }
-        val bytes = ByteBuffer.allocateDirect(4 * W * H)
-        for (y in 0 until H) for (x in 0 until W) bytes.putInt(image.getRGB(x, y) shl 8 or 0xFF)
-        return bytes.apply { flip() }
+        return image.rgba()
     }
 
     private fun BookRenderer.fill() = missingPages().forEach { setPage(it, W, H, page(it)) }
