@@ -17,7 +17,7 @@ const FUZZ: &str = "tests/fuzz/Cargo.toml";
 const BINDGEN: &str = crate::bindings::MANIFEST;
 /// And what is built for many targets.
 const PROBE: &str = "tests/probe/Cargo.toml";
-const EINK: &str = "shells/eink/Cargo.toml";
+const FIRMWARE: &str = "shells/eink/firmware/Cargo.toml";
 
 /// `cargo ci fmt [--check]`.
 pub(crate) fn fmt(args: &[String]) -> Result {
@@ -31,7 +31,7 @@ pub(crate) fn fmt(args: &[String]) -> Result {
         c
     };
     let apart = |manifest| with(&["--manifest-path", manifest]);
-    let outside = [PEERS, FUZZ, PROBE, EINK, BINDGEN].map(apart);
+    let outside = [PEERS, FUZZ, PROBE, FIRMWARE, BINDGEN].map(apart);
     run_each([with(&["--all"])].into_iter().chain(outside))?;
     Ok(Tally::default())
 }
@@ -50,7 +50,7 @@ pub(crate) fn lint(args: &[String]) -> Result {
     list.push(clippy(&["--manifest-path", PROBE, "--all-targets"]));
     // Without the target `hashes` says that it is missing.
     if tools::target(BOARD).is_ok() {
-        list.push(clippy(&["--manifest-path", EINK, "--bins", "--target", BOARD]));
+        list.push(clippy(&["--manifest-path", FIRMWARE, "--bins", "--target", BOARD]));
     }
     run_each(list)?;
     Ok(Tally::default())

@@ -134,7 +134,7 @@ impl Target {
     fn cargo(&self, level: &str, folder: &Path) -> Command {
         let what = match self.on {
             On::Node => "rustc --lib --crate-type cdylib --manifest-path tests/probe/Cargo.toml",
-            On::Board(..) => "build --bin probe --manifest-path shells/eink/Cargo.toml",
+            On::Board(..) => "build --bin probe --manifest-path shells/eink/firmware/Cargo.toml",
             _ => "build --bin probe --manifest-path tests/probe/Cargo.toml",
         };
         let mut c = cargo(what.split(' '));

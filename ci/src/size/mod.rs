@@ -29,7 +29,7 @@ const WORST: u64 = 2;
 const FEATURES: [(&str, &str); 3] =
     [("none", ""), ("seed, unused", "dogleaf-core/seed"), ("defmt, logged", "defmt")];
 
-/// As `shells/eink/.cargo/config.toml` has them.
+/// As `shells/eink/firmware/.cargo/config.toml` has them.
 const FLAGS: &str = "-Ctarget-cpu=cortex-m7 -Cllvm-args=-inline-threshold=5";
 
 /// One thing that is looked at: its name, its figure, what is wanted and what is allowed.
@@ -112,7 +112,13 @@ fn looked_at(features: &str) -> std::result::Result<(Vec<Check>, Image, String),
 fn build(features: &str) -> std::result::Result<PathBuf, String> {
     let folder = target_dir().join("hashes");
     let mut c = cargo(["build", "--quiet", "--locked", "--bin", "play", "--release"]);
-    c.args(["--manifest-path", "shells/eink/Cargo.toml", "--target", BOARD, "--target-dir"]);
+    c.args([
+        "--manifest-path",
+        "shells/eink/firmware/Cargo.toml",
+        "--target",
+        BOARD,
+        "--target-dir",
+    ]);
     c.arg(&folder).args(["--features", features]);
     c.env("RUSTFLAGS", FLAGS).env_remove("CARGO_ENCODED_RUSTFLAGS");
     run(&mut c)?;

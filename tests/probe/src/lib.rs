@@ -2,7 +2,7 @@
 //!
 //! A [`Probe`] is a scene or an operation; running it gives one hash. Scenes show *that* something
 //! differs; operations, each over two thousand random cases, name *what* does. Runners only print:
-//! `src/main.rs` on hosts, `shells/eink/src/bin/probe.rs` on a board, `src/web.rs` in WebAssembly.
+//! `src/main.rs` on hosts, `shells/eink/firmware/src/bin/probe.rs` on a board, `src/web.rs` in WebAssembly.
 #![no_std]
 
 mod fold;

@@ -5,7 +5,7 @@
 use cortex_m_rt::entry;
 #[cfg(feature = "defmt")]
 use defmt_semihosting as _;
-use dogleaf_eink::{Line, leave};
+use dogleaf_firmware::{Line, leave};
 use dogleaf_probe::{Probe, Work, probes};
 
 #[entry]

@@ -11,10 +11,10 @@ use dogleaf_core::Book;
 use dogleaf_core::grid::G11x8;
 use dogleaf_core::record::{Reader, Record, RecordError};
 use dogleaf_core::selftest::SelfTest;
-use dogleaf_eink::{Clock, Line, Tally, leave, memory};
+use dogleaf_firmware::{Clock, Line, Tally, leave, memory};
 
 /// The golden slow turn.
-static RECORDING: &[u8] = include_bytes!("../../../../fixtures/recordings/slow_turn_f32.dlr");
+static RECORDING: &[u8] = include_bytes!("../../../../../fixtures/recordings/slow_turn_f32.dlr");
 
 #[entry]
 fn main() -> ! {
@@ -23,7 +23,7 @@ fn main() -> ! {
     let healthy = SelfTest::run(BOOK);
     Line::new().text("self test             ").text(healthy.name()).say();
     #[cfg(feature = "planted")]
-    dogleaf_eink::planted::misbehave(0);
+    dogleaf_firmware::planted::misbehave(0);
     let Some(board) = cortex_m::Peripherals::take() else { leave(false) };
     let mut clock = Clock::new(board.SYST);
     let well = match play(BOOK, TALLY, &mut clock) {
