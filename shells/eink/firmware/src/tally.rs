@@ -9,7 +9,7 @@ pub struct Tally {
     counts: [u32; MOST],
     length: usize,
     sum: u64,
-    /// Steps that were too long to be counted, or too many to be kept.
+    /// Counts that were too many to be kept.
     pub lost: u32,
 }
 
@@ -18,14 +18,14 @@ impl Tally {
     pub const EMPTY: Self = Self { counts: [0; MOST], length: 0, sum: 0, lost: 0 };
 
     /// Adds one count.
-    pub fn add(&mut self, count: Option<u32>) {
-        match (count, self.counts.get_mut(self.length)) {
-            (Some(count), Some(place)) => {
+    pub fn add(&mut self, count: u32) {
+        match self.counts.get_mut(self.length) {
+            Some(place) => {
                 *place = count;
                 self.length += 1;
                 self.sum += u64::from(count);
             }
-            _ => self.lost += 1,
+            None => self.lost += 1,
         }
     }
 

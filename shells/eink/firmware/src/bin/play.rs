@@ -24,8 +24,7 @@ fn main() -> ! {
     Line::new().text("self test             ").text(healthy.name()).say();
     #[cfg(feature = "planted")]
     dogleaf_firmware::planted::misbehave(0);
-    let Some(board) = cortex_m::Peripherals::take() else { leave(false) };
-    let mut clock = Clock::new(board.SYST);
+    let mut clock = Clock::start();
     let well = match play(BOOK, TALLY, &mut clock) {
         Ok(well) => well,
         Err(_why) => {
