@@ -30,7 +30,7 @@ pub(crate) const M7: Processor = Processor {
 pub(crate) const M4F: Processor = Processor {
     name: "Cortex-M4F",
     triple: BOARD,
-    flags: "-Ctarget-cpu=cortex-m4",
+    flags: "-Ctarget-cpu=cortex-m4 -Cllvm-args=-inline-threshold=5",
     cpu: "cortex-m4",
     machine: "mps2-an386",
 };

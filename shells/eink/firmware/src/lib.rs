@@ -12,7 +12,8 @@ pub mod planted;
 pub mod say;
 pub mod tally;
 
-// Its symbols are what is wanted.
+// Of these the symbols are what is wanted: critical sections, and sums and products in integers.
+use cortex_m as _;
 #[cfg(not(target_abi = "eabihf"))]
 use dogleaf_soft as _;
 
