@@ -265,7 +265,7 @@ pub(crate) enum StyleName {
 pub(crate) struct EinkArgs {
     /// A PDF, a CBZ, or a folder of images.
     pub(crate) book: PathBuf,
-    /// A strip of all pictures (.png), an animation (.webp, .gif) or a folder for pictures.
+    /// A sheet of all pictures (.png), an animation (.webp, .gif) or a folder for pictures.
     #[arg(short, long)]
     pub(crate) out: Option<PathBuf>,
     /// Page the book is open at, counted from 1; about a third in if not given.

@@ -1,4 +1,4 @@
-//! What the panel looked like: a strip of pictures side by side, an animation, or a folder.
+//! What the panel looked like: a sheet of pictures in rows, an animation, or a folder.
 
 use crate::error::CliError;
 use dogleaf_eink::{Panel, Simulated};
@@ -10,10 +10,11 @@ const FPS: u32 = 20;
 const FRAME_US: u32 = 1_000_000 / FPS;
 /// How long the first and the last picture stand, frames.
 const STAND: u32 = 20;
-/// A strip shows each picture this much smaller, a gap between them.
+/// A sheet shows so many in a row, each this much smaller, a gap between them.
+const ACROSS: usize = 3;
 const SMALLER: usize = 2;
 const GAP: usize = 8;
-/// Brightness between the pictures of a strip.
+/// Brightness between them.
 const GROUND: u8 = 150;
 
 /// Pictures of a panel on their way into a file.
@@ -23,16 +24,16 @@ pub(super) struct Show {
     size: [usize; 2],
     /// What the panel looked like, one brightness a pixel, and for how many frames.
     pictures: Vec<(Vec<u8>, u32)>,
-    /// Not for a strip: its size is known at the end.
+    /// Not for a sheet: its size is known at the end.
     writer: Option<Writer>,
 }
 
 impl Show {
     pub(super) fn create(out: &Path, panel: &Panel) -> Result<Self, CliError> {
         let size = [panel.width, panel.height].map(usize::from);
-        let strip = out.extension().is_some_and(|e| e.eq_ignore_ascii_case("png"));
+        let sheet = out.extension().is_some_and(|e| e.eq_ignore_ascii_case("png"));
         let [w, h] = size.map(|n| n as u32);
-        let writer = if strip { None } else { Some(Writer::create(out, w, h, FPS)?) };
+        let writer = if sheet { None } else { Some(Writer::create(out, w, h, FPS)?) };
         Ok(Self { out: out.to_owned(), size, pictures: Vec::new(), writer })
     }
 
@@ -44,7 +45,7 @@ impl Show {
     pub(super) fn finish(self) -> Result<(), CliError> {
         match self.writer {
             Some(writer) => animate(writer, &self.pictures),
-            None => strip(&self.out, self.size, &self.pictures),
+            None => sheet(&self.out, self.size, &self.pictures),
         }
     }
 }
@@ -61,15 +62,16 @@ fn animate(mut writer: Writer, pictures: &[(Vec<u8>, u32)]) -> Result<(), CliErr
     Ok(writer.finish().map(|_| ())?)
 }
 
-fn strip(out: &Path, [w, h]: [usize; 2], pictures: &[(Vec<u8>, u32)]) -> Result<(), CliError> {
+fn sheet(out: &Path, [w, h]: [usize; 2], pictures: &[(Vec<u8>, u32)]) -> Result<(), CliError> {
     let [sw, sh] = [w / SMALLER, h / SMALLER];
-    let width = pictures.len() * (sw + GAP) + GAP;
-    let height = sh + 2 * GAP;
+    let width = pictures.len().min(ACROSS) * (sw + GAP) + GAP;
+    let height = pictures.len().div_ceil(ACROSS) * (sh + GAP) + GAP;
     let mut all = vec![GROUND; width * height];
     for (n, (picture, _)) in pictures.iter().enumerate() {
+        let [left, top] = [GAP + n % ACROSS * (sw + GAP), GAP + n / ACROSS * (sh + GAP)];
         for y in 0..sh {
             for x in 0..sw {
-                all[(y + GAP) * width + GAP + n * (sw + GAP) + x] = mean(picture, w, x, y);
+                all[(top + y) * width + left + x] = mean(picture, w, x, y);
             }
         }
     }

@@ -18,7 +18,7 @@ pub(crate) struct Lines;
 impl Print for Lines {
     fn luma(&self, page: u32, x: u16, y: u16) -> u8 {
         let (x, y) = (u32::from(x), u32::from(y));
-        let letter = (x / 3 + 7 * (y / 14) + 5 * page) * 2_654_435_761 >> 13 & 3;
+        let letter = ((x / 3 + 7 * (y / 14) + 5 * page).wrapping_mul(2_654_435_761) >> 13) & 3;
         let inked = y % 14 < 8 && x % 3 != 2 && letter != 0;
         if inked { 17 * (letter as u8 * 3) } else { 255 }
     }
