@@ -8,6 +8,10 @@ use dogleaf_eink::pose::{ACROSS, ALONG, UNIT};
 use dogleaf_eink::{
     Band, Canvas, Depth, Faces, Layout, Panel, Pose, Print, Rect, Scene, Sheet, Stage,
 };
+use embedded_graphics_core::Pixel;
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::{OriginDimensions, Size};
+use embedded_graphics_core::pixelcolor::BinaryColor;
 use support::board::Lines;
 
 const WIDTH: usize = 800;
@@ -154,6 +158,48 @@ fn dots_do_not_crawl() {
         }
     }
     assert!(still > WIDTH * HEIGHT / 2, "{still} pixels stayed");
+}
+
+/// A display of one bit a pixel, as drivers have it.
+struct Bits(Vec<bool>);
+
+impl OriginDimensions for Bits {
+    fn size(&self) -> Size {
+        Size::new(WIDTH as u32, HEIGHT as u32)
+    }
+}
+
+impl DrawTarget for Bits {
+    type Color = BinaryColor;
+    type Error = std::convert::Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<BinaryColor>>>(
+        &mut self,
+        pixels: I,
+    ) -> Result<(), Self::Error> {
+        for Pixel(at, colour) in pixels {
+            self.0[at.y as usize * WIDTH + at.x as usize] = colour.is_on();
+        }
+        Ok(())
+    }
+}
+
+#[test]
+fn any_target_of_two_tones_gets_the_same_dots() {
+    let stage = stage();
+    let mut sheet = Box::new(Sheet::EMPTY);
+    sheet.look(&leaf(120, &stage), &stage);
+    let scene = Scene::Leaf(&sheet);
+    let wanted = paint(scene, &Lines, &WHOLE);
+    let faces = Faces { left: Some(3), right: Some(6), up: Some(4), down: Some(5) };
+    let canvas = Canvas { stage: &stage, faces, scene, print: &Lines, hard: false };
+    let mut bits = Bits(vec![false; WIDTH * HEIGHT]);
+    let mut band = Box::new(Band::<{ WIDTH * 9 }>::EMPTY);
+    let Ok(()) = dogleaf_eink::draw(WHOLE[0], &canvas, Depth::TwoTone, &mut band, &mut bits);
+    let dot =
+        |n: usize| Depth::TwoTone.level(wanted[n], (n % WIDTH) as u16, (n / WIDTH) as u16) > 7;
+    let wrong = (0..WIDTH * HEIGHT).filter(|&n| bits.0[n] != dot(n)).count();
+    assert_eq!(wrong, 0, "dots");
 }
 
 #[test]

@@ -44,6 +44,8 @@ pub(crate) struct Board {
     pub(crate) shots: Vec<Shot>,
     /// What the panel is told instead of what the planner says: for controls.
     pub(crate) spoil: fn(Update, Option<&Sheet>) -> Update,
+    /// The time, if it is not the panel's.
+    pub(crate) now_us: Option<u64>,
     /// Pictures are only planned.
     pub(crate) blind: bool,
     sheet: Box<Sheet>,
@@ -66,6 +68,7 @@ impl Board {
             cells: vec![Cell::NEW; usize::from(panel.width) * usize::from(panel.height)],
             shots: Vec::new(),
             spoil: |update, _| update,
+            now_us: None,
             blind: false,
             sheet: Box::new(Sheet::EMPTY),
             band: Box::new(Band::EMPTY),
@@ -95,7 +98,7 @@ impl Board {
         self.sheet.look(pose, &self.stage);
         let (progress, reach) = (pose.progress(), self.sheet.reach());
         let aloft = Aloft { progress, reach, edge_x: self.sheet.edge_x(), held };
-        let now = self.planner.busy_until_us();
+        let now = self.now_us.unwrap_or(self.planner.busy_until_us());
         let Some(update) = self.planner.look(now, &faces, Some(&aloft)) else { return };
         let sheet = self.sheet.clone();
         let swept = Scene::Swept { edge: sheet.edge_x(), from_right: pose.from_right };
@@ -107,7 +110,7 @@ impl Board {
     /// The open pages, if the planner wants them.
     pub(crate) fn rest(&mut self) {
         let faces = Faces::of(self.reading.book());
-        let now = self.planner.busy_until_us();
+        let now = self.now_us.unwrap_or(self.planner.busy_until_us());
         if let Some(update) = self.planner.look(now, &faces, None) {
             let update = (self.spoil)(update, None);
             self.put(update, faces, Scene::Rest, None);
