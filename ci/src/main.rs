@@ -6,6 +6,7 @@ mod all;
 mod android;
 mod bans;
 mod bindings;
+mod boards;
 mod desktop;
 mod fuzz;
 mod hashes;

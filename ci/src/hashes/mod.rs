@@ -11,7 +11,7 @@ use crate::shell::{command, run};
 use crate::tally::Tally;
 use crate::words::{Result, Stop, flag, no_args};
 use lines::Line;
-pub(crate) use target::{BOARD, board};
+pub(crate) use target::{BOARD, SOFT, board};
 use target::{On, TARGETS, Target};
 
 const GOLDEN: &str = "fixtures/golden/hashes.txt";

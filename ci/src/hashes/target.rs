@@ -8,6 +8,8 @@ use crate::tools;
 
 /// Firmware for the emulated boards.
 pub(crate) const BOARD: &str = "thumbv7em-none-eabihf";
+/// The same for processors without a floating-point unit.
+pub(crate) const SOFT: &str = "thumbv6m-none-eabi";
 /// What node runs.
 pub(crate) const WEB: &str = "wasm32-unknown-unknown";
 const HOST: &str = "x86_64-unknown-linux-gnu";
@@ -43,7 +45,7 @@ pub(crate) struct Target {
 const LEVELS: [&str; 2] = ["o0", "o3"];
 
 /// Every target.
-pub(crate) const TARGETS: [Target; 7] = [
+pub(crate) const TARGETS: [Target; 8] = [
     Target {
         name: "x86-64",
         triple: HOST,
@@ -84,6 +86,16 @@ pub(crate) const TARGETS: [Target; 7] = [
         on: On::Board("cortex-m7", "mps2-an500"),
         levels: &LEVELS,
         double: &["o3"],
+    },
+    Target {
+        // QEMU has no such board with a Cortex-M0; a Cortex-M3 executes the same instructions.
+        name: "Cortex-M0 soft",
+        triple: SOFT,
+        flags: "",
+        on: On::Board("cortex-m3", "mps2-an385"),
+        // In software, and unoptimised, it would take minutes.
+        levels: &["o3"],
+        double: &[],
     },
     Target {
         name: "wasm32",
@@ -175,7 +187,8 @@ mod check {
     fn names_tell_targets_apart_and_all_run_f32() {
         for (n, t) in TARGETS.iter().enumerate() {
             assert!(TARGETS[..n].iter().all(|o| o.name != t.name), "{} is there twice", t.name);
-            assert!(t.tiers("o0").contains(&"f32"), "{} runs f32", t.name);
+            assert!(t.levels.iter().all(|l| t.tiers(l).contains(&"f32")), "{} runs f32", t.name);
+            assert!(t.levels.contains(&"o3"), "{} runs optimised", t.name);
         }
     }
 
@@ -184,7 +197,7 @@ mod check {
         let on = |what: fn(&On) -> bool| TARGETS.iter().filter(|t| what(&t.on)).count();
         assert_eq!(on(|o| *o == On::Host), 2, "x86-64, plain and native");
         assert_eq!(on(|o| matches!(o, On::User(_))), 1, "aarch64");
-        assert_eq!(on(|o| matches!(o, On::Board(..))), 2, "M4F and M7");
+        assert_eq!(on(|o| matches!(o, On::Board(..))), 3, "M0, M4F and M7");
         assert_eq!(on(|o| *o == On::Node), 2, "wasm32 without and with vectors");
     }
 }
