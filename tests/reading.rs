@@ -131,6 +131,25 @@ fn a_key_turns_on_and_back_and_stops_at_the_covers() {
     }
 }
 
+/// A screen that is slower than a turn sees it whole and at once, to the same page and the same bits.
+#[test]
+fn a_turn_can_be_seen_ahead_of_time() {
+    let mut read = open(&setup());
+    let mut seen = Seen::default();
+    read.turn(true, 1).expect("a page");
+    let mut other = Box::new(read.clone());
+    let (mut steps, mut aloft) = (0, 0);
+    read.ahead(&mut (), |book| {
+        steps += 1;
+        aloft += u32::from(book.leaf().is_some());
+    });
+    let _ = run(&mut other, &[], &mut seen, START_US);
+    assert!(steps > aloft && aloft > 40, "{aloft} of {steps} steps with a leaf");
+    assert_eq!(read.book().state_hash(), other.book().state_hash(), "the same end");
+    assert_eq!(read.page(), 22);
+    read.ahead(&mut (), |_| panic!("nothing moves any more"));
+}
+
 #[test]
 fn a_pause_ends_everything_and_no_time_passes() {
     let mut read = open(&setup());

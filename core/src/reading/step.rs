@@ -2,6 +2,7 @@
 
 use super::policy::{EINK_US, MotionPolicy};
 use super::{Notice, Reading, Tick};
+use crate::book::Book;
 use crate::event::Event;
 use crate::grid::Grid;
 use crate::hand::{Phase, Sample, View};
@@ -150,19 +151,30 @@ impl<R: Real, G: Grid> Reading<R, G> {
         }
     }
 
-    /// Steps until nothing is in the air, whatever time that takes in the book.
-    pub(super) fn finish(&mut self, tape: &mut impl Tape) {
+    /// Lets everything that moves by itself come to rest at once, whatever time that takes in the book, and shows each
+    /// step on the way: for screens that are slower than a turn. Does nothing while a finger is down.
+    pub fn ahead(&mut self, tape: &mut impl Tape, mut seen: impl FnMut(&Book<R, G>)) {
+        if self.down != 0 {
+            return;
+        }
         let mut report = StepReport::default();
         for _ in 0..LANDING {
-            if self.book.leaf().is_none() && !self.book.needs_frame() {
+            let moving = self.book.leaf().is_some() || self.book.needs_frame();
+            if !moving && self.auto.is_none() {
                 break;
             }
             self.one(tape, &mut report);
+            seen(&self.book);
         }
         self.free_us = 0;
         self.trail.clear();
         self.clock.join(&self.book);
         self.dirty = true;
+    }
+
+    /// Steps until nothing is in the air.
+    pub(super) fn finish(&mut self, tape: &mut impl Tape) {
+        self.ahead(tape, |_| ());
     }
 
     /// Takes every finger away.

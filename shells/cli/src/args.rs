@@ -18,6 +18,7 @@ use std::path::PathBuf;
   dogleaf replay turn.dlr                  the same bits again?
   dogleaf bench                            what a step costs here
   dogleaf cost --quick                     what accuracy costs in time
+  dogleaf eink novel.pdf -o strip.png      a turn on electronic paper
 
 Exit code 0: done; 1: a check failed; 2: bad input."
 )]
@@ -34,6 +35,7 @@ pub(crate) enum Command {
     Replay(ReplayArgs),
     Bench(BenchArgs),
     Cost(crate::cost::CostArgs),
+    Eink(EinkArgs),
     Gestures(GesturesArgs),
 }
 
@@ -213,6 +215,92 @@ pub(crate) struct BenchArgs {
     /// Turns of each kind; more are steadier.
     #[arg(long, value_name = "N", default_value_t = 12, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     pub(crate) turns: u32,
+}
+
+/// A panel of electronic paper.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub(crate) enum PanelName {
+    /// Six inches, sixteen greys, fast two-tone pictures: readers.
+    #[default]
+    Reader,
+    /// Two tones, 300 ms a picture: bare modules.
+    Module,
+}
+
+impl From<PanelName> for dogleaf_eink::Panel {
+    fn from(name: PanelName) -> Self {
+        match name {
+            PanelName::Reader => Self::SIX_INCH,
+            PanelName::Module => Self::MODULE,
+        }
+    }
+}
+
+/// How many pages a panel shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub(crate) enum LayoutName {
+    /// Both open pages.
+    #[default]
+    Spread,
+    /// The page that is turned.
+    Single,
+}
+
+/// What moves over a panel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub(crate) enum StyleName {
+    /// The leaf itself.
+    #[default]
+    Leaf,
+    /// A stripe of the page after.
+    Stripe,
+}
+
+/// Turns a page as a panel of electronic paper shows it.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  dogleaf eink novel.pdf -o strip.png
+  dogleaf eink novel.pdf -o turn.gif --panel module --style stripe
+  dogleaf eink comic.cbz --layout single --size 600x800 --key-frames 2 --json")]
+pub(crate) struct EinkArgs {
+    /// A PDF, a CBZ, or a folder of images.
+    pub(crate) book: PathBuf,
+    /// A sheet of all pictures (.png), an animation (.webp, .gif) or a folder for pictures.
+    #[arg(short, long)]
+    pub(crate) out: Option<PathBuf>,
+    /// Page the book is open at, counted from 1; about a third in if not given.
+    #[arg(long, value_name = "N")]
+    pub(crate) page: Option<u32>,
+    /// Reading direction.
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) direction: DirectionName,
+    /// The panel.
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) panel: PanelName,
+    /// Pixels of the panel.
+    #[arg(long, value_name = "WxH", default_value = "800x600", value_parser = panel_size)]
+    pub(crate) size: [u32; 2],
+    /// How many pages are seen.
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) layout: LayoutName,
+    /// What moves.
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) style: StyleName,
+    /// Pictures of the turn at most.
+    #[arg(long, value_name = "N", default_value_t = 4, value_parser = clap::value_parser!(u8).range(1..=12))]
+    pub(crate) key_frames: u8,
+    /// Turns back.
+    #[arg(long)]
+    pub(crate) back: bool,
+    /// Print one JSON object.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// `800x600`.
+fn panel_size(text: &str) -> Result<[u32; 2], String> {
+    let sides = size(text).ok().filter(|s| s.iter().all(|s| (64..=2_048).contains(s)));
+    sides.ok_or_else(|| "write it as 800x600, sides of 64 to 2048".to_owned())
 }
 
 /// Writes the gestures of `fixtures/gestures` anew.

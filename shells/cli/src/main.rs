@@ -6,6 +6,7 @@
 mod args;
 mod bench;
 mod cost;
+mod eink;
 mod error;
 mod files;
 mod gesture;
@@ -53,6 +54,7 @@ fn command(command: &Command) -> Result<(), CliError> {
         Command::Replay(args) => replay::replay(args),
         Command::Bench(args) => bench::bench(args),
         Command::Cost(args) => cost::cost(args),
+        Command::Eink(args) => eink::eink(args),
         Command::Gestures(args) => gesture::write_all(&args.folder),
     }
 }

@@ -6,7 +6,7 @@ use common::{dogleaf, fixture, folder, refused, told};
 
 #[test]
 fn every_word_has_help_with_examples() {
-    for word in ["turn", "run", "replay", "bench"] {
+    for word in ["turn", "run", "replay", "bench", "cost", "eink"] {
         let text = told(&[word, "--help"]);
         assert!(text.contains(&format!("Usage: dogleaf {word}")), "{word}: {text}");
         assert!(text.contains("Examples:"), "{word}: {text}");

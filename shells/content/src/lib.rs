@@ -48,6 +48,7 @@ mod natural;
 mod pdf;
 mod picture;
 mod scale;
+mod size;
 mod title;
 
 pub use book::Book;

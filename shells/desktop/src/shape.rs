@@ -2,17 +2,11 @@
 
 use crate::error::DesktopError;
 use crate::view::Options;
-use dogleaf_content::{Book, BookKind};
+use dogleaf_content::Book;
 use dogleaf_core::hand::View;
 use dogleaf_core::record::Setup;
 use dogleaf_core::scene::{BookSpec, Direction, Pages, PaperSpec, Preset};
 
-/// Width of a page nobody knows the size of, metres.
-const WIDTH_M: f64 = 0.130;
-/// Sizes of a page that a PDF is believed, metres.
-const SANE_M: std::ops::RangeInclusive<f64> = 0.060..=0.300;
-/// Metres in a point of a PDF.
-const POINT_M: f64 = 0.0254 / 72.0;
 /// Most pages a simulated book has.
 const MOST_PAGES: usize = 20_000;
 /// Texels a page has for each pixel it covers: it is seen at a slant, and filtered.
@@ -22,7 +16,7 @@ const SINGLE: f64 = 0.60;
 
 /// What the book is opened with.
 pub(crate) fn setup(content: &Book, options: &Options) -> Result<Setup, DesktopError> {
-    let [width_m, height_m] = size_m(content);
+    let [width_m, height_m] = content.size_m();
     let pages = content.page_count().min(MOST_PAGES) as u32;
     let direction = options.direction;
     let open_at = open_at(options.page, pages)?;
@@ -53,25 +47,6 @@ pub(crate) fn view(book: &BookSpec, pages: Pages, [width_px, height_px]: [u32; 2
             view
         }
     }
-}
-
-/// Width and height of a page: a PDF's own, if they are a book's; else of the default width.
-fn size_m(content: &Book) -> [f64; 2] {
-    let aspect = f64::from(content.aspect()).clamp(0.2, 5.0);
-    let own = match content.kind() {
-        BookKind::Pdf => pdf_size_m(content, aspect),
-        _ => None,
-    };
-    own.unwrap_or([WIDTH_M, WIDTH_M / aspect])
-}
-
-/// The size of the first page that has the typical shape.
-fn pdf_size_m(content: &Book, aspect: f64) -> Option<[f64; 2]> {
-    let sizes = (0..content.page_count().min(64)).filter_map(|i| content.page_size(i).ok());
-    let points = |(w, h): (f32, f32)| [f64::from(w), f64::from(h)];
-    let mut typical = sizes.map(points).filter(|[w, h]| (w / h / aspect - 1.0).abs() < 0.01);
-    let size = typical.next()?.map(|side| side * POINT_M);
-    size.iter().all(|side| SANE_M.contains(side)).then_some(size)
 }
 
 /// Pages read before the first turn: always whole leaves. A third of the book, unless a page is named.

@@ -2,7 +2,7 @@
 
 mod play;
 mod report;
-mod shape;
+pub(crate) mod shape;
 
 use crate::args::TurnArgs;
 use crate::error::{CliError, shown};
@@ -21,7 +21,7 @@ pub(crate) const FPS: u32 = 30;
 /// Turns a page.
 pub(crate) fn turn(args: &TurnArgs) -> Result<(), CliError> {
     let content = Book::open(&args.book)?;
-    let book = shape::spec(&content, args)?;
+    let book = shape::spec(&content, args.page, args.direction.into(), &shown(&args.book))?;
     let paper = PaperSpec::from(Preset::Book);
     // Fingers move in the view their gesture was made for, whatever the size of the picture.
     let hand_view = View::reading(book.width_m, book.height_m, PICTURE[0], PICTURE[1]);
