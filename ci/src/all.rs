@@ -6,7 +6,7 @@ use crate::tally::Tally;
 use crate::words::{self, Result, Stop, no_args};
 
 /// Cheap words first; then in the order in which they can use each other's builds.
-const ORDER: [&[&str]; 18] = [
+const ORDER: [&[&str]; 19] = [
     &["fmt", "--check"],
     &["tree"],
     &["slots", "--check"],
@@ -18,6 +18,7 @@ const ORDER: [&[&str]; 18] = [
     &["golden"],
     &["hashes"],
     &["size"],
+    &["eink"],
     &["wasm"],
     &["bindings", "--check"],
     &["android"],

@@ -8,6 +8,7 @@ mod bans;
 mod bindings;
 mod boards;
 mod desktop;
+mod eink;
 mod fuzz;
 mod hashes;
 mod no_std;

@@ -4,8 +4,8 @@ use std::fmt::Write as _;
 
 use crate::tally::Tally;
 use crate::{
-    all, android, bindings, desktop, fuzz, hashes, no_std, peers, seed_slots, size, slots, style,
-    swift, tests, tree,
+    all, android, bindings, desktop, eink, fuzz, hashes, no_std, peers, seed_slots, size, slots,
+    style, swift, tests, tree,
 };
 
 /// Why a word did not pass.
@@ -87,6 +87,12 @@ const WORDS: &[Word] = &[
         args: "",
         about: "the firmware's image: bytes, stack, instructions; no panic, no allocator",
         run: size::size,
+    },
+    Word {
+        name: "eink",
+        args: "[--bless]",
+        about: "the reading firmware on every board: pictures, memory, instructions, rest (or print its pages)",
+        run: eink::eink,
     },
     Word {
         name: "wasm",

@@ -7,7 +7,7 @@ mod image;
 use crate::boards::{M0, M4F, M7, Processor};
 use crate::tally::Tally;
 use crate::words::{Result, Stop, no_args};
-use figures::Figures;
+pub(crate) use figures::Figures;
 use image::Image;
 
 const KIB: u64 = 1024;

@@ -53,7 +53,7 @@ impl Fall {
     }
 
     /// The next key frame and the pages seen about it.
-    pub fn next(&mut self) -> Option<(Pose, Faces)> {
+    pub fn take(&mut self) -> Option<(Pose, Faces)> {
         let pose = self.poses.get(..self.kept)?.get(self.shown)?;
         self.shown += 1;
         Some((*pose, self.faces))
