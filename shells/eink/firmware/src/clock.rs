@@ -31,11 +31,9 @@ impl Clock {
         self.last = now();
     }
 
-    /// Instructions since [`Clock::begin`]; the most there is where it were more than 2³². A section of ten thousand
-    /// million is not told from a short one.
-    pub fn instructions(&mut self) -> u32 {
-        let ticks = self.last.wrapping_sub(now());
-        u32::try_from(u64::from(ticks) * 5 / 2).unwrap_or(u32::MAX)
+    /// Instructions since [`Clock::begin`]. A section of ten thousand million is not told from a short one.
+    pub fn instructions(&self) -> u64 {
+        u64::from(self.last.wrapping_sub(now())) * 5 / 2
     }
 }
 

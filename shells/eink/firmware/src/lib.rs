@@ -7,6 +7,7 @@
 
 pub mod clock;
 pub mod memory;
+pub mod meter;
 #[cfg(feature = "planted")]
 pub mod planted;
 pub mod say;

@@ -61,7 +61,7 @@ fn play(
                 let _ = (0..4).map(|_| book.step()).last();
                 let count = clock.instructions();
                 if report.steps > 0 && book.leaf().is_some() {
-                    tally.add(count);
+                    tally.add(u32::try_from(count).unwrap_or(u32::MAX));
                 }
                 if differ.is_none() && book.state_hash() != hash {
                     differ = Some(steps);
