@@ -2,7 +2,7 @@
 
 use crate::error::DogleafError;
 use crate::frame::FrameInfo;
-use crate::journal::{Bytes, Journal};
+use crate::journal::{self, Bytes, Journal};
 use crate::mesh::Mesh;
 use crate::notice::Notice;
 use crate::options::Layout;
@@ -44,12 +44,12 @@ impl Desk {
         let sound = reading.setup();
         let mut mesh = Mesh::new();
         mesh.make(&reading);
-        Self { reading, journal: Journal::default(), mesh, notices: VecDeque::new(), sound }
+        Self { reading, journal: None, mesh, notices: VecDeque::new(), sound }
     }
 
     /// The book at rest at the page it was last known at; the mesh keeps its address.
     pub(crate) fn recover(&mut self) -> Result<(), DogleafError> {
-        self.journal = Journal::default();
+        self.journal = None;
         let motion = self.reading.motion();
         *self.reading = Reading::EMPTY;
         self.reading.open(&self.sound)?;
@@ -131,7 +131,7 @@ impl Desk {
     /// Opens the book of a snapshot in place of this one; the mesh keeps its address.
     pub(crate) fn become_snapshot(&mut self, bytes: &[u8]) -> Result<(), DogleafError> {
         self.reading.restore(bytes)?;
-        self.journal = Journal::default();
+        self.journal = None;
         self.notices.clear();
         self.mesh.make(&self.reading);
         Ok(())
@@ -148,6 +148,7 @@ impl Desk {
         let setup = self.reading.setup();
         self.keep();
         self.reading.open(&setup)?;
-        self.journal.start::<f32, G11x8>(&setup)
+        self.journal = journal::start::<f32, G11x8>(&setup)?;
+        Ok(())
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::book::{Book, Result};
 use crate::desk::Desk;
+use crate::journal;
 
 #[uniffi::export]
 impl Book {
@@ -108,6 +109,6 @@ impl Book {
     ///
     /// `Recording`: none was started, or a panic or a restore dropped it; `Closed`.
     pub fn stop_recording(&self) -> Result<Vec<u8>> {
-        self.with(|desk| desk.journal.stop())
+        self.with(|desk| journal::stop(&mut desk.journal))
     }
 }

@@ -7,6 +7,7 @@ use crate::event::Event;
 use crate::grid::Grid;
 use crate::hand::{Phase, Sample, View};
 use crate::real::Real;
+use crate::record::{Recorder, Sink};
 use crate::step::StepReport;
 
 /// World steps at most until a leaf that is let go lies.
@@ -35,6 +36,19 @@ impl Tape for () {
     fn input(&mut self, _: &Sample) {}
     fn look(&mut self, _: &View) {}
     fn step(&mut self, _: impl FnOnce() -> u64) {}
+}
+
+/// A recorder that may be there. A full one takes no more and can still be finished, so its refusals are not told.
+impl<S: Sink> Tape for Option<Recorder<S>> {
+    fn input(&mut self, sample: &Sample) {
+        let _ = self.as_mut().map(|r| r.input(sample));
+    }
+    fn look(&mut self, view: &View) {
+        let _ = self.as_mut().map(|r| r.look(view));
+    }
+    fn step(&mut self, hash: impl FnOnce() -> u64) {
+        let _ = self.as_mut().map(|r| r.step(hash()));
+    }
 }
 
 impl<R: Real, G: Grid> Reading<R, G> {

@@ -97,7 +97,11 @@ fn ask<R: Real>(random: &mut Random) -> Ask<R> {
         keep: R::of(0.98),
         gravity: V3([R::ZERO, R::of(-650.0), R::ZERO]),
         root: if clamp { Root::Clamp(random.v3(1.0)) } else { Root::Hinge },
-        grab: Some(Grab { node: (4, random.below(5) as usize), target: random.v3(10.0), firm: R::of(1.0) }),
+        grab: Some(Grab {
+            node: (4, random.below(5) as usize),
+            target: random.v3(10.0),
+            firm: R::of(1.0),
+        }),
     }
 }
 

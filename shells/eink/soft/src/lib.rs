@@ -11,7 +11,7 @@
 //!
 //! | symbol | name here | meaning |
 //! |---|---|---|
-//! | s | [`SIGN`] | sign |
+//! | s | `SIGN` | sign |
 //! | e | `exponent` | biased exponent: 0 for zero and subnormals, 255 for infinities and NaN |
 //! | m | `fraction` | fraction with its hidden bit |
 #![no_std]
