@@ -1,6 +1,7 @@
 //! The one object an app holds.
 
 use crate::desk::Desk;
+use crate::eink::PanelOptions;
 use crate::error::DogleafError;
 use crate::frame::FrameInfo;
 use crate::mesh::{IndexView, Mesh, MeshView, Piece};
@@ -234,7 +235,7 @@ impl Book {
     ///
     /// `Closed`.
     pub fn needs_frame(&self) -> Result<bool> {
-        self.with(|desk| Ok(desk.reading.needs_frame()))
+        self.with(|desk| Ok(desk.needs_frame()))
     }
 
     /// Turns leaves on, or back, as a key or a screen reader asks for.
@@ -273,7 +274,24 @@ impl Book {
     ///
     /// `Refused`: a cap that no turn keeps; `Closed`.
     pub fn set_motion(&self, motion: Motion) -> Result<()> {
-        self.change(|desk| Ok(desk.reading.set_motion(motion.into())?))
+        self.change(|desk| {
+            desk.reading.set_motion(motion.into())?;
+            desk.redraw();
+            Ok(())
+        })
+    }
+
+    /// What the electronic paper can do, under `MotionPolicy::EInk`; [`panel_options`](crate::panel_options) until it is said.
+    /// What it shows is drawn anew.
+    ///
+    /// # Errors
+    ///
+    /// `Closed`.
+    pub fn set_panel(&self, options: PanelOptions) -> Result<()> {
+        self.change(|desk| {
+            desk.set_panel(options);
+            Ok(())
+        })
     }
 
     /// Looks from elsewhere, in a view of this size.
@@ -301,7 +319,7 @@ impl Book {
     /// `Closed`.
     pub fn redraw(&self) -> Result<()> {
         self.with(|desk| {
-            desk.reading.redraw();
+            desk.redraw();
             Ok(())
         })
     }

@@ -1,5 +1,6 @@
 //! An open book with all that lies beside it: its mesh, its journal, the notices nobody has read.
 
+use crate::eink::{self, Eink, PanelOptions, PanelUpdate, panel_options};
 use crate::error::DogleafError;
 use crate::frame::FrameInfo;
 use crate::journal::{self, Bytes, Journal};
@@ -23,6 +24,7 @@ pub(crate) struct Desk {
     pub(crate) journal: Journal,
     pub(crate) mesh: Mesh,
     notices: VecDeque<Notice>,
+    eink: Eink,
     /// What the book is opened with again after a panic: as of the last call that went well.
     sound: Setup,
 }
@@ -44,7 +46,8 @@ impl Desk {
         let sound = reading.setup();
         let mut mesh = Mesh::new();
         mesh.make(&reading);
-        Self { reading, journal: None, mesh, notices: VecDeque::new(), sound }
+        let eink = Eink::new(&reading, panel_options());
+        Self { reading, journal: None, mesh, notices: VecDeque::new(), eink, sound }
     }
 
     /// The book at rest at the page it was last known at; the mesh keeps its address.
@@ -54,6 +57,7 @@ impl Desk {
         *self.reading = Reading::EMPTY;
         self.reading.open(&self.sound)?;
         self.reading.set_motion(motion)?;
+        self.eink.again(&self.reading);
         self.mesh.make(&self.reading);
         Ok(())
     }
@@ -72,19 +76,21 @@ impl Desk {
     pub(crate) fn pointers(&mut self, samples: &[PointerSample]) -> Result<(), DogleafError> {
         for sample in samples {
             self.reading.pointer(sample.sample()?, &mut self.journal)?;
+            self.eink.finger(sample);
         }
         Ok(())
     }
 
     pub(crate) fn step(&mut self, now_us: u64) -> FrameInfo {
         let frame = self.reading.step(now_us, &mut self.journal);
-        if frame.draw {
+        let (draw, panel) = self.shows(frame.draw, now_us);
+        if draw {
             self.mesh.make(&self.reading);
         }
         self.keep();
         FrameInfo {
-            draw: frame.draw,
-            needs_frame: self.reading.needs_frame(),
+            draw,
+            needs_frame: self.needs_frame(),
             generation: self.mesh.generation,
             pieces_generation: self.mesh.pieces_generation,
             notices: self.notices.len() as u32,
@@ -92,7 +98,35 @@ impl Desk {
             through: self.mesh.through[0],
             flying_through: self.mesh.through[1],
             status: frame.report.status.into(),
+            panel,
         }
+    }
+
+    /// Whether something is to be drawn: on electronic paper its planner says so, else the policy of motion.
+    fn shows(&mut self, draw: bool, now_us: u64) -> (bool, Option<PanelUpdate>) {
+        if !eink::asked(&self.reading) {
+            return (draw, None);
+        }
+        let panel = self.eink.look(now_us, &self.reading);
+        (panel.is_some(), panel)
+    }
+
+    /// Whether `step` has to be called again: something moves, or the panel owes a picture.
+    pub(crate) fn needs_frame(&self) -> bool {
+        let owes = eink::asked(&self.reading) && self.eink.owes(&self.reading);
+        self.reading.needs_frame() || (owes && !self.reading.paused())
+    }
+
+    /// Another panel, or another wish.
+    pub(crate) fn set_panel(&mut self, options: PanelOptions) {
+        self.eink = Eink::new(&self.reading, options);
+        self.reading.redraw();
+    }
+
+    /// What the app has of the picture is lost.
+    pub(crate) fn redraw(&mut self) {
+        self.eink.again(&self.reading);
+        self.reading.redraw();
     }
 
     fn stretch(&self) -> f32 {
@@ -113,6 +147,7 @@ impl Desk {
         let setup = self.reading.setup();
         let view = view(&setup.book, Layout::from(setup.handling.pages), at, width, height);
         self.reading.look(&view, &mut self.journal)?;
+        self.eink.again(&self.reading);
         Ok(())
     }
 
@@ -133,6 +168,7 @@ impl Desk {
         self.reading.restore(bytes)?;
         self.journal = None;
         self.notices.clear();
+        self.eink.again(&self.reading);
         self.mesh.make(&self.reading);
         Ok(())
     }

@@ -1,5 +1,6 @@
 //! What one frame answers.
 
+use crate::eink::PanelUpdate;
 use crate::options::mirrored;
 use dogleaf_core::step;
 
@@ -42,4 +43,6 @@ pub struct FrameInfo {
     pub flying_through: f32,
     /// How the physics went.
     pub status: StepStatus,
+    /// The picture that electronic paper is to show now, under `MotionPolicy::EInk` only; then `draw` says whether there is one.
+    pub panel: Option<PanelUpdate>,
 }

@@ -18,6 +18,7 @@
 
 mod book;
 mod desk;
+mod eink;
 mod error;
 mod frame;
 mod journal;
@@ -30,6 +31,7 @@ mod stage;
 mod words;
 
 pub use book::Book;
+pub use eink::{PanelOptions, PanelUpdate, Waveform, panel_options};
 pub use error::DogleafError;
 pub use frame::{FrameInfo, StepStatus};
 pub use mesh::{IndexView, MeshView, Piece, PieceFace, Surface};

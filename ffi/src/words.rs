@@ -9,9 +9,12 @@
 //!       3       notices that follow            272.. 64 notices of 2: kind and first value (32, 32 bits); second value
 //!       4 5 6   stretch, through, flying_through: the bits of an f32
 //!       7       status
+//!       8       electronic paper: x, y, width, height of the picture it is to show (16 bits each); nought if none
+//!       9       its waveform, 256 full, 512 settled; microseconds it is busy (32, 32 bits)
 //! ```
 
 use crate::book::Book;
+use crate::eink::PanelUpdate;
 use crate::frame::FrameInfo;
 use crate::notice::{Notice, Tick};
 use crate::pointer::{Phase, PointerSample};
@@ -118,12 +121,23 @@ impl Words {
             self.set(4 + n, u64::from(value.to_bits()));
         }
         self.set(7, info.status as u64);
+        let [place, how] = info.panel.map_or([0; 2], |panel| panelled(&panel));
+        self.set(8, place);
+        self.set(9, how);
         for (n, notice) in notices.iter().enumerate() {
             let (kind, first, second) = coded(*notice);
             self.set(NOTICES.0 + 2 * n, u64::from(kind) | u64::from(first) << 32);
             self.set(NOTICES.0 + 2 * n + 1, u64::from(second));
         }
     }
+}
+
+/// Two words of a picture for a panel. A view has at most 16,384 pixels a side.
+fn panelled(panel: &PanelUpdate) -> [u64; 2] {
+    let sides = [panel.x, panel.y, panel.width, panel.height];
+    let place = sides.iter().rev().fold(0, |word, &side| word << 16 | u64::from(side & 0xffff));
+    let how = panel.waveform as u64 | u64::from(panel.full) << 8 | u64::from(panel.settled) << 9;
+    [place, how | u64::from(panel.busy_us) << 32]
 }
 
 fn coded(notice: Notice) -> (u32, u32, u32) {
