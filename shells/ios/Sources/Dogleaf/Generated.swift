@@ -775,6 +775,16 @@ public protocol BookProtocol: AnyObject, Sendable {
     func setMotion(motion: Motion) throws
 
     /**
+     * What the electronic paper can do, under `MotionPolicy::EInk`; [`panel_options`](crate::panel_options) until it is said.
+     * What it shows is drawn anew.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+    func setPanel(options: PanelOptions) throws
+
+    /**
      * Ends the book: every later call is refused with `Closed`. The mesh stays readable until the object is freed.
      */
     func shut()
@@ -1212,6 +1222,23 @@ open func setMotion(motion: Motion)throws   {try rustCallWithError(FfiConverterT
     uniffi_dogleaf_ffi_fn_method_book_set_motion(
             self.uniffiCloneHandle(),
         FfiConverterTypeMotion_lower(motion),uniffiCallStatus
+    )
+}
+}
+
+    /**
+     * What the electronic paper can do, under `MotionPolicy::EInk`; [`panel_options`](crate::panel_options) until it is said.
+     * What it shows is drawn anew.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+open func setPanel(options: PanelOptions)throws   {try rustCallWithError(FfiConverterTypeDogleafError_lift) {
+        uniffiCallStatus in
+    uniffi_dogleaf_ffi_fn_method_book_set_panel(
+            self.uniffiCloneHandle(),
+        FfiConverterTypePanelOptions_lower(options),uniffiCallStatus
     )
 }
 }
@@ -1742,6 +1769,10 @@ public struct FrameInfo: Equatable, Hashable {
      * How the physics went.
      */
     public var status: StepStatus
+    /**
+     * The picture that electronic paper is to show now, under `MotionPolicy::EInk` only; then `draw` says whether there is one.
+     */
+    public var panel: PanelUpdate?
 
     // Default memberwise initializers are never public by default, so we
     // declare one manually.
@@ -1772,7 +1803,10 @@ public struct FrameInfo: Equatable, Hashable {
          */flyingThrough: Float,
         /**
          * How the physics went.
-         */status: StepStatus) {
+         */status: StepStatus,
+        /**
+         * The picture that electronic paper is to show now, under `MotionPolicy::EInk` only; then `draw` says whether there is one.
+         */panel: PanelUpdate?) {
         self.draw = draw
         self.needsFrame = needsFrame
         self.generation = generation
@@ -1782,6 +1816,7 @@ public struct FrameInfo: Equatable, Hashable {
         self.through = through
         self.flyingThrough = flyingThrough
         self.status = status
+        self.panel = panel
     }
 
 
@@ -1808,7 +1843,8 @@ public struct FfiConverterTypeFrameInfo: FfiConverterRustBuffer {
                 stretch: FfiConverterFloat.read(from: &buf),
                 through: FfiConverterFloat.read(from: &buf),
                 flyingThrough: FfiConverterFloat.read(from: &buf),
-                status: FfiConverterTypeStepStatus.read(from: &buf)
+                status: FfiConverterTypeStepStatus.read(from: &buf),
+                panel: FfiConverterOptionTypePanelUpdate.read(from: &buf)
         )
     }
 
@@ -1822,6 +1858,7 @@ public struct FfiConverterTypeFrameInfo: FfiConverterRustBuffer {
         FfiConverterFloat.write(value.through, into: &buf)
         FfiConverterFloat.write(value.flyingThrough, into: &buf)
         FfiConverterTypeStepStatus.write(value.status, into: &buf)
+        FfiConverterOptionTypePanelUpdate.write(value.panel, into: &buf)
     }
 }
 
@@ -2167,6 +2204,254 @@ public func FfiConverterTypeMotion_lift(_ buf: RustBuffer) throws -> Motion {
 #endif
 public func FfiConverterTypeMotion_lower(_ value: Motion) -> RustBuffer {
     return FfiConverterTypeMotion.lower(value)
+}
+
+
+/**
+ * How long a panel takes, and how much of a turn one wants to see on it.
+ */
+public struct PanelOptions: Equatable, Hashable {
+    /**
+     * Shows greys, not only black and white.
+     */
+    public var grey: Bool
+    /**
+     * Microseconds of its fastest update; none if it has none faster than `du_us`.
+     */
+    public var a2Us: UInt32?
+    /**
+     * Microseconds of an update to black and white.
+     */
+    public var duUs: UInt32
+    /**
+     * Microseconds of an update in greys.
+     */
+    public var gl16Us: UInt32
+    /**
+     * Microseconds of a full refresh.
+     */
+    public var gc16Us: UInt32
+    /**
+     * Pictures of a turn at most, before the page after; 1 to 12.
+     */
+    public var keyFrames: UInt8
+    /**
+     * Updates after which the next page at rest is a full refresh.
+     */
+    public var fullAfter: UInt16
+
+    // Default memberwise initializers are never public by default, so we
+    // declare one manually.
+    public init(
+        /**
+         * Shows greys, not only black and white.
+         */grey: Bool,
+        /**
+         * Microseconds of its fastest update; none if it has none faster than `du_us`.
+         */a2Us: UInt32?,
+        /**
+         * Microseconds of an update to black and white.
+         */duUs: UInt32,
+        /**
+         * Microseconds of an update in greys.
+         */gl16Us: UInt32,
+        /**
+         * Microseconds of a full refresh.
+         */gc16Us: UInt32,
+        /**
+         * Pictures of a turn at most, before the page after; 1 to 12.
+         */keyFrames: UInt8,
+        /**
+         * Updates after which the next page at rest is a full refresh.
+         */fullAfter: UInt16) {
+        self.grey = grey
+        self.a2Us = a2Us
+        self.duUs = duUs
+        self.gl16Us = gl16Us
+        self.gc16Us = gc16Us
+        self.keyFrames = keyFrames
+        self.fullAfter = fullAfter
+    }
+
+
+
+
+}
+
+#if compiler(>=6)
+extension PanelOptions: Sendable {}
+#endif
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public struct FfiConverterTypePanelOptions: FfiConverterRustBuffer {
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> PanelOptions {
+        return
+            try PanelOptions(
+                grey: FfiConverterBool.read(from: &buf),
+                a2Us: FfiConverterOptionUInt32.read(from: &buf),
+                duUs: FfiConverterUInt32.read(from: &buf),
+                gl16Us: FfiConverterUInt32.read(from: &buf),
+                gc16Us: FfiConverterUInt32.read(from: &buf),
+                keyFrames: FfiConverterUInt8.read(from: &buf),
+                fullAfter: FfiConverterUInt16.read(from: &buf)
+        )
+    }
+
+    public static func write(_ value: PanelOptions, into buf: inout [UInt8]) {
+        FfiConverterBool.write(value.grey, into: &buf)
+        FfiConverterOptionUInt32.write(value.a2Us, into: &buf)
+        FfiConverterUInt32.write(value.duUs, into: &buf)
+        FfiConverterUInt32.write(value.gl16Us, into: &buf)
+        FfiConverterUInt32.write(value.gc16Us, into: &buf)
+        FfiConverterUInt8.write(value.keyFrames, into: &buf)
+        FfiConverterUInt16.write(value.fullAfter, into: &buf)
+    }
+}
+
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypePanelOptions_lift(_ buf: RustBuffer) throws -> PanelOptions {
+    return try FfiConverterTypePanelOptions.lift(buf)
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypePanelOptions_lower(_ value: PanelOptions) -> RustBuffer {
+    return FfiConverterTypePanelOptions.lower(value)
+}
+
+
+/**
+ * One picture for the panel: draw the mesh as it is, hand the rectangle to the panel.
+ */
+public struct PanelUpdate: Equatable, Hashable {
+    /**
+     * Left edge, pixels of the view; like the right one a multiple of eight, or the view's own.
+     */
+    public var x: UInt32
+    /**
+     * Top edge.
+     */
+    public var y: UInt32
+    /**
+     * Columns.
+     */
+    public var width: UInt32
+    /**
+     * Rows.
+     */
+    public var height: UInt32
+    /**
+     * How.
+     */
+    public var waveform: Waveform
+    /**
+     * The whole view, with a flash, to clean what is left of earlier pictures.
+     */
+    public var full: Bool
+    /**
+     * The page at rest; else a picture of the turn.
+     */
+    public var settled: Bool
+    /**
+     * How long the panel is busy with it, microseconds. No other picture comes before.
+     */
+    public var busyUs: UInt32
+
+    // Default memberwise initializers are never public by default, so we
+    // declare one manually.
+    public init(
+        /**
+         * Left edge, pixels of the view; like the right one a multiple of eight, or the view's own.
+         */x: UInt32,
+        /**
+         * Top edge.
+         */y: UInt32,
+        /**
+         * Columns.
+         */width: UInt32,
+        /**
+         * Rows.
+         */height: UInt32,
+        /**
+         * How.
+         */waveform: Waveform,
+        /**
+         * The whole view, with a flash, to clean what is left of earlier pictures.
+         */full: Bool,
+        /**
+         * The page at rest; else a picture of the turn.
+         */settled: Bool,
+        /**
+         * How long the panel is busy with it, microseconds. No other picture comes before.
+         */busyUs: UInt32) {
+        self.x = x
+        self.y = y
+        self.width = width
+        self.height = height
+        self.waveform = waveform
+        self.full = full
+        self.settled = settled
+        self.busyUs = busyUs
+    }
+
+
+
+
+}
+
+#if compiler(>=6)
+extension PanelUpdate: Sendable {}
+#endif
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public struct FfiConverterTypePanelUpdate: FfiConverterRustBuffer {
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> PanelUpdate {
+        return
+            try PanelUpdate(
+                x: FfiConverterUInt32.read(from: &buf),
+                y: FfiConverterUInt32.read(from: &buf),
+                width: FfiConverterUInt32.read(from: &buf),
+                height: FfiConverterUInt32.read(from: &buf),
+                waveform: FfiConverterTypeWaveform.read(from: &buf),
+                full: FfiConverterBool.read(from: &buf),
+                settled: FfiConverterBool.read(from: &buf),
+                busyUs: FfiConverterUInt32.read(from: &buf)
+        )
+    }
+
+    public static func write(_ value: PanelUpdate, into buf: inout [UInt8]) {
+        FfiConverterUInt32.write(value.x, into: &buf)
+        FfiConverterUInt32.write(value.y, into: &buf)
+        FfiConverterUInt32.write(value.width, into: &buf)
+        FfiConverterUInt32.write(value.height, into: &buf)
+        FfiConverterTypeWaveform.write(value.waveform, into: &buf)
+        FfiConverterBool.write(value.full, into: &buf)
+        FfiConverterBool.write(value.settled, into: &buf)
+        FfiConverterUInt32.write(value.busyUs, into: &buf)
+    }
+}
+
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypePanelUpdate_lift(_ buf: RustBuffer) throws -> PanelUpdate {
+    return try FfiConverterTypePanelUpdate.lift(buf)
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypePanelUpdate_lower(_ value: PanelUpdate) -> RustBuffer {
+    return FfiConverterTypePanelUpdate.lower(value)
 }
 
 
@@ -4071,6 +4356,111 @@ public func FfiConverterTypeTick_lower(_ value: Tick) -> RustBuffer {
 }
 
 
+
+/**
+ * How a panel brings a picture about.
+ */
+
+public enum Waveform: Equatable, Hashable {
+
+    /**
+     * Fast, black and white, from black and white.
+     */
+    case a2
+    /**
+     * To black and white, from any grey.
+     */
+    case du
+    /**
+     * Greys on white.
+     */
+    case gl16
+    /**
+     * The same, and white is cleaned about what was black.
+     */
+    case glr16
+    /**
+     * Greys, cleaned: every pixel, with a flash.
+     */
+    case gc16
+
+
+
+
+
+}
+
+#if compiler(>=6)
+extension Waveform: Sendable {}
+#endif
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public struct FfiConverterTypeWaveform: FfiConverterRustBuffer {
+    typealias SwiftType = Waveform
+
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> Waveform {
+        let variant: Int32 = try readInt(&buf)
+        switch variant {
+
+        case 1: return .a2
+
+        case 2: return .du
+
+        case 3: return .gl16
+
+        case 4: return .glr16
+
+        case 5: return .gc16
+
+        default: throw UniffiInternalError.unexpectedEnumCase
+        }
+    }
+
+    public static func write(_ value: Waveform, into buf: inout [UInt8]) {
+        switch value {
+
+
+        case .a2:
+            writeInt(&buf, Int32(1))
+
+
+        case .du:
+            writeInt(&buf, Int32(2))
+
+
+        case .gl16:
+            writeInt(&buf, Int32(3))
+
+
+        case .glr16:
+            writeInt(&buf, Int32(4))
+
+
+        case .gc16:
+            writeInt(&buf, Int32(5))
+
+        }
+    }
+}
+
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeWaveform_lift(_ buf: RustBuffer) throws -> Waveform {
+    return try FfiConverterTypeWaveform.lift(buf)
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeWaveform_lower(_ value: Waveform) -> RustBuffer {
+    return FfiConverterTypeWaveform.lower(value)
+}
+
+
 #if swift(>=5.8)
 @_documentation(visibility: private)
 #endif
@@ -4090,6 +4480,30 @@ fileprivate struct FfiConverterOptionUInt32: FfiConverterRustBuffer {
         switch try readInt(&buf) as Int8 {
         case 0: return nil
         case 1: return try FfiConverterUInt32.read(from: &buf)
+        default: throw UniffiInternalError.unexpectedOptionalTag
+        }
+    }
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+fileprivate struct FfiConverterOptionTypePanelUpdate: FfiConverterRustBuffer {
+    typealias SwiftType = PanelUpdate?
+
+    public static func write(_ value: SwiftType, into buf: inout [UInt8]) {
+        guard let value = value else {
+            writeInt(&buf, Int8(0))
+            return
+        }
+        writeInt(&buf, Int8(1))
+        FfiConverterTypePanelUpdate.write(value, into: &buf)
+    }
+
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> SwiftType {
+        switch try readInt(&buf) as Int8 {
+        case 0: return nil
+        case 1: return try FfiConverterTypePanelUpdate.read(from: &buf)
         default: throw UniffiInternalError.unexpectedOptionalTag
         }
     }
@@ -4205,6 +4619,16 @@ public func version() -> String  {
 })
 }
 /**
+ * A panel of six inches in sixteen greys: four pictures a turn, a full refresh after twenty-four.
+ */
+public func panelOptions() -> PanelOptions  {
+    return try!  FfiConverterTypePanelOptions_lift(try! rustCall() {
+        uniffiCallStatus in
+    uniffi_dogleaf_ffi_fn_func_panel_options(uniffiCallStatus
+    )
+})
+}
+/**
  * A paperback for a touch screen: a spread, seen by a reader at a table, at sixty steps a second.
  */
 public func bookOptions(pages: UInt32, widthPx: UInt32, heightPx: UInt32) -> BookOptions  {
@@ -4234,6 +4658,9 @@ private let initializationResult: InitializationResult = {
         return InitializationResult.contractVersionMismatch
     }
     if (uniffi_dogleaf_ffi_checksum_func_version() != 59200) {
+        return InitializationResult.apiChecksumMismatch
+    }
+    if (uniffi_dogleaf_ffi_checksum_func_panel_options() != 15880) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_dogleaf_ffi_checksum_func_book_options() != 51573) {
@@ -4276,6 +4703,9 @@ private let initializationResult: InitializationResult = {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_dogleaf_ffi_checksum_method_book_set_motion() != 30706) {
+        return InitializationResult.apiChecksumMismatch
+    }
+    if (uniffi_dogleaf_ffi_checksum_method_book_set_panel() != 25164) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_dogleaf_ffi_checksum_method_book_shut() != 57819) {

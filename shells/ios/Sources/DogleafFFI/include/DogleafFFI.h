@@ -328,6 +328,11 @@ void uniffi_dogleaf_ffi_fn_method_book_resize(uint64_t ptr, uint32_t width_px, u
 void uniffi_dogleaf_ffi_fn_method_book_set_motion(uint64_t ptr, RustBuffer motion, RustCallStatus *_Nonnull out_status
 );
 #endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_SET_PANEL
+#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_SET_PANEL
+void uniffi_dogleaf_ffi_fn_method_book_set_panel(uint64_t ptr, RustBuffer options, RustCallStatus *_Nonnull out_status
+);
+#endif
 #ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_SHUT
 #define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_METHOD_BOOK_SHUT
 void uniffi_dogleaf_ffi_fn_method_book_shut(uint64_t ptr, RustCallStatus *_Nonnull out_status
@@ -411,6 +416,12 @@ RustBuffer uniffi_dogleaf_ffi_fn_method_book_stop_recording(uint64_t ptr, RustCa
 #ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_FUNC_VERSION
 #define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_FUNC_VERSION
 RustBuffer uniffi_dogleaf_ffi_fn_func_version(RustCallStatus *_Nonnull out_status
+
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_FUNC_PANEL_OPTIONS
+#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_FN_FUNC_PANEL_OPTIONS
+RustBuffer uniffi_dogleaf_ffi_fn_func_panel_options(RustCallStatus *_Nonnull out_status
 
 );
 #endif
@@ -685,6 +696,12 @@ uint16_t uniffi_dogleaf_ffi_checksum_func_version(void
 
 );
 #endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_FUNC_PANEL_OPTIONS
+#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_FUNC_PANEL_OPTIONS
+uint16_t uniffi_dogleaf_ffi_checksum_func_panel_options(void
+
+);
+#endif
 #ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_FUNC_BOOK_OPTIONS
 #define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_FUNC_BOOK_OPTIONS
 uint16_t uniffi_dogleaf_ffi_checksum_func_book_options(void
@@ -766,6 +783,12 @@ uint16_t uniffi_dogleaf_ffi_checksum_method_book_resize(void
 #ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_SET_MOTION
 #define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_SET_MOTION
 uint16_t uniffi_dogleaf_ffi_checksum_method_book_set_motion(void
+
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_SET_PANEL
+#define UNIFFI_FFIDEF_UNIFFI_DOGLEAF_FFI_CHECKSUM_METHOD_BOOK_SET_PANEL
+uint16_t uniffi_dogleaf_ffi_checksum_method_book_set_panel(void
 
 );
 #endif

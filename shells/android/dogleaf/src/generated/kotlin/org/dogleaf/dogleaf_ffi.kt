@@ -677,6 +677,8 @@ internal object IntegrityCheckingUniffiLib {
     internal fun ensureInitialized() = Unit
     external fun uniffi_dogleaf_ffi_checksum_func_version(
     ): Int
+    external fun uniffi_dogleaf_ffi_checksum_func_panel_options(
+    ): Int
     external fun uniffi_dogleaf_ffi_checksum_func_book_options(
     ): Int
     external fun uniffi_dogleaf_ffi_checksum_method_book_frame_words(
@@ -704,6 +706,8 @@ internal object IntegrityCheckingUniffiLib {
     external fun uniffi_dogleaf_ffi_checksum_method_book_resize(
     ): Int
     external fun uniffi_dogleaf_ffi_checksum_method_book_set_motion(
+    ): Int
+    external fun uniffi_dogleaf_ffi_checksum_method_book_set_panel(
     ): Int
     external fun uniffi_dogleaf_ffi_checksum_method_book_shut(
     ): Int
@@ -795,6 +799,8 @@ internal object UniffiLib {
     ): Unit
     external fun uniffi_dogleaf_ffi_fn_method_book_set_motion(`ptr`: Long,`motion`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus,
     ): Unit
+    external fun uniffi_dogleaf_ffi_fn_method_book_set_panel(`ptr`: Long,`options`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus,
+    ): Unit
     external fun uniffi_dogleaf_ffi_fn_method_book_shut(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): Unit
     external fun uniffi_dogleaf_ffi_fn_method_book_skip(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
@@ -828,6 +834,8 @@ internal object UniffiLib {
     external fun uniffi_dogleaf_ffi_fn_method_book_stop_recording(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus,
     ): RustBuffer.ByValue
     external fun uniffi_dogleaf_ffi_fn_func_version(uniffi_out_err: UniffiRustCallStatus,
+    ): RustBuffer.ByValue
+    external fun uniffi_dogleaf_ffi_fn_func_panel_options(uniffi_out_err: UniffiRustCallStatus,
     ): RustBuffer.ByValue
     external fun uniffi_dogleaf_ffi_fn_func_book_options(`pages`: Int,`widthPx`: Int,`heightPx`: Int,uniffi_out_err: UniffiRustCallStatus,
     ): RustBuffer.ByValue
@@ -953,6 +961,9 @@ private fun uniffiCheckApiChecksums(lib: IntegrityCheckingUniffiLib) {
     if ((lib.uniffi_dogleaf_ffi_checksum_func_version() and 0xFFFF) != 59200) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
+    if ((lib.uniffi_dogleaf_ffi_checksum_func_panel_options() and 0xFFFF) != 15880) {
+        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
+    }
     if ((lib.uniffi_dogleaf_ffi_checksum_func_book_options() and 0xFFFF) != 51573) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
@@ -993,6 +1004,9 @@ private fun uniffiCheckApiChecksums(lib: IntegrityCheckingUniffiLib) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
     if ((lib.uniffi_dogleaf_ffi_checksum_method_book_set_motion() and 0xFFFF) != 30706) {
+        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
+    }
+    if ((lib.uniffi_dogleaf_ffi_checksum_method_book_set_panel() and 0xFFFF) != 25164) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
     if ((lib.uniffi_dogleaf_ffi_checksum_method_book_shut() and 0xFFFF) != 57819) {
@@ -1673,6 +1687,16 @@ public interface BookInterface {
     fun `setMotion`(`motion`: Motion)
 
     /**
+     * What the electronic paper can do, under `MotionPolicy::EInk`; [`panel_options`](crate::panel_options) until it is said.
+     * What it shows is drawn anew.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+    fun `setPanel`(`options`: PanelOptions)
+
+    /**
      * Ends the book: every later call is refused with `Closed`. The mesh stays readable until the object is freed.
      */
     fun `shut`()
@@ -2192,6 +2216,28 @@ open class Book: Disposable, AutoCloseable, BookInterface
         it,
 
         FfiConverterTypeMotion.lower(`motion`),_status)
+}
+    }
+
+
+
+
+    /**
+     * What the electronic paper can do, under `MotionPolicy::EInk`; [`panel_options`](crate::panel_options) until it is said.
+     * What it shows is drawn anew.
+     *
+     * # Errors
+     *
+     * `Closed`.
+     */
+    @Throws(DogleafException::class)override fun `setPanel`(`options`: PanelOptions)
+        =
+    callWithHandle {
+    uniffiRustCallWithError(DogleafException) { _status ->
+    UniffiLib.uniffi_dogleaf_ffi_fn_method_book_set_panel(
+        it,
+
+        FfiConverterTypePanelOptions.lower(`options`),_status)
 }
     }
 
@@ -2794,6 +2840,11 @@ data class FrameInfo (
      * How the physics went.
      */
     var `status`: StepStatus
+    ,
+    /**
+     * The picture that electronic paper is to show now, under `MotionPolicy::EInk` only; then `draw` says whether there is one.
+     */
+    var `panel`: PanelUpdate?
 
 ){
 
@@ -2819,6 +2870,7 @@ public object FfiConverterTypeFrameInfo: FfiConverterRustBuffer<FrameInfo> {
             FfiConverterFloat.read(buf),
             FfiConverterFloat.read(buf),
             FfiConverterTypeStepStatus.read(buf),
+            FfiConverterOptionalTypePanelUpdate.read(buf),
         )
     }
 
@@ -2831,7 +2883,8 @@ public object FfiConverterTypeFrameInfo: FfiConverterRustBuffer<FrameInfo> {
             FfiConverterFloat.allocationSize(value.`stretch`) +
             FfiConverterFloat.allocationSize(value.`through`) +
             FfiConverterFloat.allocationSize(value.`flyingThrough`) +
-            FfiConverterTypeStepStatus.allocationSize(value.`status`)
+            FfiConverterTypeStepStatus.allocationSize(value.`status`) +
+            FfiConverterOptionalTypePanelUpdate.allocationSize(value.`panel`)
     )
 
     override fun write(value: FrameInfo, buf: ByteBuffer) {
@@ -2844,6 +2897,7 @@ public object FfiConverterTypeFrameInfo: FfiConverterRustBuffer<FrameInfo> {
             FfiConverterFloat.write(value.`through`, buf)
             FfiConverterFloat.write(value.`flyingThrough`, buf)
             FfiConverterTypeStepStatus.write(value.`status`, buf)
+            FfiConverterOptionalTypePanelUpdate.write(value.`panel`, buf)
     }
 }
 
@@ -3075,6 +3129,188 @@ public object FfiConverterTypeMotion: FfiConverterRustBuffer<Motion> {
     override fun write(value: Motion, buf: ByteBuffer) {
             FfiConverterTypeMotionPolicy.write(value.`policy`, buf)
             FfiConverterOptionalUInt.write(value.`capUs`, buf)
+    }
+}
+
+
+
+/**
+ * How long a panel takes, and how much of a turn one wants to see on it.
+ */
+data class PanelOptions (
+    /**
+     * Shows greys, not only black and white.
+     */
+    var `grey`: kotlin.Boolean
+    ,
+    /**
+     * Microseconds of its fastest update; none if it has none faster than `du_us`.
+     */
+    var `a2Us`: kotlin.UInt?
+    ,
+    /**
+     * Microseconds of an update to black and white.
+     */
+    var `duUs`: kotlin.UInt
+    ,
+    /**
+     * Microseconds of an update in greys.
+     */
+    var `gl16Us`: kotlin.UInt
+    ,
+    /**
+     * Microseconds of a full refresh.
+     */
+    var `gc16Us`: kotlin.UInt
+    ,
+    /**
+     * Pictures of a turn at most, before the page after; 1 to 12.
+     */
+    var `keyFrames`: kotlin.UByte
+    ,
+    /**
+     * Updates after which the next page at rest is a full refresh.
+     */
+    var `fullAfter`: kotlin.UShort
+
+){
+
+
+
+
+
+    companion object
+}
+
+/**
+ * @suppress
+ */
+public object FfiConverterTypePanelOptions: FfiConverterRustBuffer<PanelOptions> {
+    override fun read(buf: ByteBuffer): PanelOptions {
+        return PanelOptions(
+            FfiConverterBoolean.read(buf),
+            FfiConverterOptionalUInt.read(buf),
+            FfiConverterUInt.read(buf),
+            FfiConverterUInt.read(buf),
+            FfiConverterUInt.read(buf),
+            FfiConverterUByte.read(buf),
+            FfiConverterUShort.read(buf),
+        )
+    }
+
+    override fun allocationSize(value: PanelOptions) = (
+            FfiConverterBoolean.allocationSize(value.`grey`) +
+            FfiConverterOptionalUInt.allocationSize(value.`a2Us`) +
+            FfiConverterUInt.allocationSize(value.`duUs`) +
+            FfiConverterUInt.allocationSize(value.`gl16Us`) +
+            FfiConverterUInt.allocationSize(value.`gc16Us`) +
+            FfiConverterUByte.allocationSize(value.`keyFrames`) +
+            FfiConverterUShort.allocationSize(value.`fullAfter`)
+    )
+
+    override fun write(value: PanelOptions, buf: ByteBuffer) {
+            FfiConverterBoolean.write(value.`grey`, buf)
+            FfiConverterOptionalUInt.write(value.`a2Us`, buf)
+            FfiConverterUInt.write(value.`duUs`, buf)
+            FfiConverterUInt.write(value.`gl16Us`, buf)
+            FfiConverterUInt.write(value.`gc16Us`, buf)
+            FfiConverterUByte.write(value.`keyFrames`, buf)
+            FfiConverterUShort.write(value.`fullAfter`, buf)
+    }
+}
+
+
+
+/**
+ * One picture for the panel: draw the mesh as it is, hand the rectangle to the panel.
+ */
+data class PanelUpdate (
+    /**
+     * Left edge, pixels of the view; like the right one a multiple of eight, or the view's own.
+     */
+    var `x`: kotlin.UInt
+    ,
+    /**
+     * Top edge.
+     */
+    var `y`: kotlin.UInt
+    ,
+    /**
+     * Columns.
+     */
+    var `width`: kotlin.UInt
+    ,
+    /**
+     * Rows.
+     */
+    var `height`: kotlin.UInt
+    ,
+    /**
+     * How.
+     */
+    var `waveform`: Waveform
+    ,
+    /**
+     * The whole view, with a flash, to clean what is left of earlier pictures.
+     */
+    var `full`: kotlin.Boolean
+    ,
+    /**
+     * The page at rest; else a picture of the turn.
+     */
+    var `settled`: kotlin.Boolean
+    ,
+    /**
+     * How long the panel is busy with it, microseconds. No other picture comes before.
+     */
+    var `busyUs`: kotlin.UInt
+
+){
+
+
+
+
+
+    companion object
+}
+
+/**
+ * @suppress
+ */
+public object FfiConverterTypePanelUpdate: FfiConverterRustBuffer<PanelUpdate> {
+    override fun read(buf: ByteBuffer): PanelUpdate {
+        return PanelUpdate(
+            FfiConverterUInt.read(buf),
+            FfiConverterUInt.read(buf),
+            FfiConverterUInt.read(buf),
+            FfiConverterUInt.read(buf),
+            FfiConverterTypeWaveform.read(buf),
+            FfiConverterBoolean.read(buf),
+            FfiConverterBoolean.read(buf),
+            FfiConverterUInt.read(buf),
+        )
+    }
+
+    override fun allocationSize(value: PanelUpdate) = (
+            FfiConverterUInt.allocationSize(value.`x`) +
+            FfiConverterUInt.allocationSize(value.`y`) +
+            FfiConverterUInt.allocationSize(value.`width`) +
+            FfiConverterUInt.allocationSize(value.`height`) +
+            FfiConverterTypeWaveform.allocationSize(value.`waveform`) +
+            FfiConverterBoolean.allocationSize(value.`full`) +
+            FfiConverterBoolean.allocationSize(value.`settled`) +
+            FfiConverterUInt.allocationSize(value.`busyUs`)
+    )
+
+    override fun write(value: PanelUpdate, buf: ByteBuffer) {
+            FfiConverterUInt.write(value.`x`, buf)
+            FfiConverterUInt.write(value.`y`, buf)
+            FfiConverterUInt.write(value.`width`, buf)
+            FfiConverterUInt.write(value.`height`, buf)
+            FfiConverterTypeWaveform.write(value.`waveform`, buf)
+            FfiConverterBoolean.write(value.`full`, buf)
+            FfiConverterBoolean.write(value.`settled`, buf)
+            FfiConverterUInt.write(value.`busyUs`, buf)
     }
 }
 
@@ -4551,6 +4787,63 @@ public object FfiConverterTypeTick: FfiConverterRustBuffer<Tick> {
 
 
 
+/**
+ * How a panel brings a picture about.
+ */
+
+enum class Waveform {
+
+    /**
+     * Fast, black and white, from black and white.
+     */
+    A2,
+    /**
+     * To black and white, from any grey.
+     */
+    DU,
+    /**
+     * Greys on white.
+     */
+    GL16,
+    /**
+     * The same, and white is cleaned about what was black.
+     */
+    GLR16,
+    /**
+     * Greys, cleaned: every pixel, with a flash.
+     */
+    GC16;
+
+
+
+
+    companion object
+}
+
+
+/**
+ * @suppress
+ */
+public object FfiConverterTypeWaveform: FfiConverterRustBuffer<Waveform> {
+    override fun read(buf: ByteBuffer) = try {
+
+        Waveform.entries[buf.getInt() - 1]
+
+    } catch (e: IndexOutOfBoundsException) {
+        throw RuntimeException("invalid enum value, something is very wrong!!", e)
+    }
+
+    override fun allocationSize(value: Waveform) = 4UL
+
+    override fun write(value: Waveform, buf: ByteBuffer) {
+        buf.putInt(value.ordinal + 1)
+    }
+}
+
+
+
+
+
 
 /**
  * @suppress
@@ -4577,6 +4870,38 @@ public object FfiConverterOptionalUInt: FfiConverterRustBuffer<kotlin.UInt?> {
         } else {
             buf.put(1)
             FfiConverterUInt.write(value, buf)
+        }
+    }
+}
+
+
+
+
+/**
+ * @suppress
+ */
+public object FfiConverterOptionalTypePanelUpdate: FfiConverterRustBuffer<PanelUpdate?> {
+    override fun read(buf: ByteBuffer): PanelUpdate? {
+        if (buf.get().toInt() == 0) {
+            return null
+        }
+        return FfiConverterTypePanelUpdate.read(buf)
+    }
+
+    override fun allocationSize(value: PanelUpdate?): ULong {
+        if (value == null) {
+            return 1UL
+        } else {
+            return 1UL + FfiConverterTypePanelUpdate.allocationSize(value)
+        }
+    }
+
+    override fun write(value: PanelUpdate?, buf: ByteBuffer) {
+        if (value == null) {
+            buf.put(0)
+        } else {
+            buf.put(1)
+            FfiConverterTypePanelUpdate.write(value, buf)
         }
     }
 }
@@ -4698,6 +5023,19 @@ public object FfiConverterSequenceTypeNotice: FfiConverterRustBuffer<List<Notice
             return FfiConverterString.lift(
     uniffiRustCall() { _status ->
     UniffiLib.uniffi_dogleaf_ffi_fn_func_version(
+
+        _status)
+}
+    )
+    }
+
+
+        /**
+         * A panel of six inches in sixteen greys: four pictures a turn, a full refresh after twenty-four.
+         */ fun `panelOptions`(): PanelOptions {
+            return FfiConverterTypePanelOptions.lift(
+    uniffiRustCall() { _status ->
+    UniffiLib.uniffi_dogleaf_ffi_fn_func_panel_options(
 
         _status)
 }
