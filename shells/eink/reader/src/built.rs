@@ -73,7 +73,7 @@ impl<'a> Built<'a> {
         let strips = usize::from(self.size[1]).div_ceil(SIDE) * self.strip();
         let inside = y % SIDE * SIDE + x % SIDE;
         let pair = *page.get(strips + before * TILE + inside / 2)?;
-        Some(if inside % 2 == 0 { pair & 15 } else { pair >> 4 })
+        Some(if inside.is_multiple_of(2) { pair & 15 } else { pair >> 4 })
     }
 }
 

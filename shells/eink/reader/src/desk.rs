@@ -144,7 +144,7 @@ impl<'a> Desk<'a> {
         if self.now_us < self.planner.busy_until_us() {
             return;
         }
-        if let Some((pose, faces)) = self.room.fall.next() {
+        if let Some((pose, faces)) = self.room.fall.take() {
             self.key(&pose, faces, watch);
         } else if let Some(pose) = Pose::of(self.room.reading.book()) {
             self.key(&pose, Faces::of(self.room.reading.book()), watch);
