@@ -176,9 +176,9 @@ fn the_newton_step_solves_the_exact_hessian() {
             body.evaluate(&ask, &Ground);
             // A shift that makes the model convex is taken off again below.
             let shifts = [0.0, 1.0, 10.0, 100.0];
-            let found = shifts.iter().find_map(|&s| Some((s, body.factor(&ask, &Ground, s)?)));
+            let found = shifts.iter().find_map(|&s| Some((s, body.factor(&ask, &Ground, [s, s])?)));
             let (shift, fall) = found.expect("some shift is enough");
-            body.solve();
+            body.solve(false);
             let mut step: Vec<f64> =
                 body.used().iter().flat_map(|s| [s.step.psi, s.step.c]).collect();
             step.extend(body.base_step);

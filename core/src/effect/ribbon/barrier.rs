@@ -77,6 +77,16 @@ pub fn longest<R: Real>(spread: R, step: R, limit: R) -> R {
     if size > away * keep { away * keep / size } else { R::one() }
 }
 
+/// Between what a crease's slope may step, so that no distance to a limit shrinks to less than is kept of it: its
+/// difference to the slope before, which has stepped by `before`, and the reach that the end leaves it.
+#[inline]
+pub fn bounds<R: Real>(spread: R, before: R, limit: R, c: R, reach: R) -> [R; 2] {
+    let most = R::of(1.0 - KEPT);
+    let low = (before - (limit + spread) * most).larger(-(reach + c) * most);
+    let high = (before + (limit - spread) * most).smaller((reach - c) * most);
+    [low, high]
+}
+
 /// The duals after a step, given the spread before and after it: Newton's, held near `μ/s`.
 #[inline]
 pub fn duals<R: Real>(dual: [R; 2], before: R, after: R, limit: R, mu: R) -> [R; 2] {

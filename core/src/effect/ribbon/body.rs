@@ -99,6 +99,8 @@ pub struct Body<R, const N: usize> {
     pub mu: R,
     /// What holds the loop.
     pub hold: Hold<R>,
+    /// Sine and cosine of the angle about the tangent at which a loop's end meets its start.
+    pub joint: [R; 2],
     /// The loop's joint as evaluated.
     pub gap: Gap<R>,
 }
@@ -135,6 +137,7 @@ impl<R: Real, const N: usize> Body<R, N> {
         motion: Motion { kappa: R::ZERO, pull: V3([R::ZERO; 3]) },
         mu: R::ZERO,
         hold: Hold::NONE,
+        joint: [R::ZERO; 2],
         gap: Gap {
             turn: V3([R::ZERO; 3]),
             shift: V3([R::ZERO; 3]),
@@ -188,7 +191,7 @@ impl<R: Real, const N: usize> Body<R, N> {
         frame.p = frame.p + frame.t * strip.cell;
         self.end.pair = ends(&frame, strip.half, R::ZERO);
         if self.looped() {
-            self.gap = Gap::between(&frame, &base, strip.closure);
+            self.gap = Gap::between(&frame, &base, self.joint);
         }
     }
     /// Reads what the vertices aim at.

@@ -10,7 +10,6 @@
 //! Source: Ribbon Sec. 5.1, with six independent rows for its nine. Checked by `tests/ribbon_derivatives.rs`.
 
 use super::frame::{Frame, Six, halves, log_slope, six};
-use super::spec::Closure;
 use crate::real::{Real, V3};
 
 /// Multiplier and penalties of a loop.
@@ -82,13 +81,11 @@ impl<R: Real> Hold<R> {
 }
 
 impl<R: Real> Gap<R> {
-    /// Between the end's frame and the start's.
-    pub fn between(end: &Frame<R>, start: &Frame<R>, closure: Closure) -> Self {
-        let mut joined = *start;
-        if closure == Closure::Moebius {
-            (joined.b, joined.n) = (-start.b, -start.n);
-        }
-        let [turn, shift] = end.apart(&joined);
+    /// Between the end's frame and the start's, which is to be met turned about its tangent by an angle given by its
+    /// sine and cosine.
+    pub fn between(end: &Frame<R>, start: &Frame<R>, [sin, cos]: [R; 2]) -> Self {
+        let (b, n) = (start.b * cos + start.n * sin, start.n * cos - start.b * sin);
+        let [turn, shift] = end.apart(&Frame { b, n, ..*start });
         Self { turn, shift, end: end.p, start: start.p }
     }
     /// The larger of the angle, in radians, and the distance as a share of `length`.

@@ -8,11 +8,14 @@ use super::load::{Ask, Loads};
 use super::newton::Solver;
 use super::report::{Report, Settings, Status};
 use super::resample::{Pair, Sample};
-use super::spec::RibbonSpec;
+use super::spec::{Closure, RibbonSpec};
 use super::strip::Strip;
 use crate::real::{Real, V3};
 use crate::scene::SpecError;
 use crate::state::Fnv;
+
+/// Parts in which a Möbius band's joint is turned.
+const WINDINGS: u32 = 12;
 
 /// A ribbon of at most `N` segments, placed by the caller: some 900 bytes a segment in `f64`.
 #[derive(Debug, Clone)]
@@ -71,6 +74,7 @@ impl<R: Real, const N: usize> Ribbon<R, N> {
         self.body.strip = Strip::of(spec);
         self.solver = Solver::NEW;
         self.ask = Ask::NONE;
+        self.turn_joint(if spec.closure == Closure::Moebius { core::f64::consts::PI } else { 0.0 });
         self.lay(&Frame::at(V3([R::ZERO; 3])), |_| Crease::default());
         Ok(())
     }
@@ -105,11 +109,43 @@ impl<R: Real, const N: usize> Ribbon<R, N> {
         self.body.reconstruct();
     }
 
+    /// Turns the start's side of a loop's joint about the tangent, from which a ring becomes a Möbius band.
+    pub fn turn_joint(&mut self, angle: f64) {
+        self.body.joint = [R::of(angle.sine()), R::of(angle.cosine())];
+    }
+
+    /// Lays a loop's rest shape: a ring, whose joint a Möbius band then turns to half a turn, an angle at a time.
+    ///
+    /// # Cost
+    ///
+    /// A dozen static solves.
+    pub fn wind(&mut self, base: &Frame<R>, settings: &Settings) -> Report<R> {
+        let n = self.body.strip.n;
+        let psi = R::of(2.0 * core::f64::consts::PI / n as f64);
+        self.turn_joint(0.0);
+        self.lay(base, |_| Crease { psi, c: R::ZERO });
+        let rough = Settings { tolerance: 1e-2, closure: 1e-3, ..*settings };
+        let mut spent = Report::NONE;
+        for part in 1..=WINDINGS {
+            let last = part == WINDINGS;
+            if self.spec.closure == Closure::Moebius {
+                self.turn_joint(core::f64::consts::PI * f64::from(part) / f64::from(WINDINGS));
+            } else if !last {
+                continue;
+            }
+            let report = self.settle(if last { settings } else { &rough });
+            spent = report.after(&spent);
+        }
+        spent
+    }
+
     fn hold_loop(&mut self) {
         let s = &self.body.strip;
-        let stiff = s.stiff * R::of(1e3);
+        // Some ten times as stiff as the whole strip is against a turn of its end.
+        let turn = s.stiff * R::of(20.0 / s.n as f64);
+        let length = s.length();
         self.body.hold =
-            Hold { lambda: [R::ZERO; 6], turn: stiff, shift: stiff / (s.cell * s.cell) };
+            Hold { lambda: [R::ZERO; 6], turn, shift: turn * R::of(40.0) / (length * length) };
     }
 
     /// Lets `h` seconds pass: one implicit step (Ribbon Sec. 4).
@@ -131,7 +167,7 @@ impl<R: Real, const N: usize> Ribbon<R, N> {
         &mut self,
         h: f64,
         loads: &impl Loads<R>,
-        mut watch: impl FnMut(R, [R; 4]),
+        mut watch: impl FnMut(R, [R; 7]),
     ) -> Report<R> {
         if !(h.is_finite() && h > 0.0) {
             return Report { status: Status::Held, ..Report::NONE };
@@ -154,14 +190,27 @@ impl<R: Real, const N: usize> Ribbon<R, N> {
         report
     }
 
-    /// Finds the rest shape under gravity and loads; the start must be clamped.
+    /// Finds the rest shape under gravity and loads, the start being held.
     pub fn settle(&mut self, settings: &Settings) -> Report<R> {
-        let start = self.body.kept_base;
+        self.settle_watched(settings, |_, _| {})
+    }
+
+    /// As [`Ribbon::settle`], watched.
+    pub fn settle_watched(
+        &mut self,
+        settings: &Settings,
+        mut watch: impl FnMut(R, [R; 7]),
+    ) -> Report<R> {
+        let (start, free) = (self.body.kept_base, self.body.strip.free);
+        self.body.strip.free = false;
         self.body.motion.kappa = R::ZERO;
         self.body.motion.pull = V3(self.gravity.map(R::of));
         self.body.used_mut().iter_mut().for_each(|s| s.want = [Sample::ZERO; 2]);
         self.body.end.want = [Sample::ZERO; 2];
-        let report = self.solver.minimise(&mut self.body, &self.ask, &(), settings, |_, _| {});
+        let report = self
+            .solver
+            .minimise(&mut self.body, &self.ask, &(), settings, |e, g| watch(e.objective, g));
+        self.body.strip.free = free;
         let base = if report.status == Status::Held { start } else { self.body.kept_base };
         self.rest_where_it_was(&base);
         report

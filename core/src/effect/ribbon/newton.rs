@@ -13,6 +13,8 @@ use crate::real::Real;
 const ARMIJO: f64 = 1e-4;
 /// A shift below this share of the stiffness is none.
 const LEAST_SHIFT: f64 = 1e-8;
+/// Largest penalty of a turn at a loop's joint, in units of the crease stiffness.
+const MOST_PENALTY: f64 = 1e5;
 /// A shift above this is hopeless.
 const MOST_SHIFT: f64 = 1e12;
 
@@ -21,11 +23,13 @@ const MOST_SHIFT: f64 = 1e12;
 pub struct Solver<R> {
     /// Shift, in units of twice the stiffness.
     pub shift: R,
+    /// What the first iteration of the last solve needed.
+    pub first: R,
 }
 
 impl<R: Real> Solver<R> {
     /// Without memory.
-    pub const NEW: Self = Self { shift: R::ZERO };
+    pub const NEW: Self = Self { shift: R::ZERO, first: R::ZERO };
 
     /// Minimises; the body is left at the best point, evaluated and kept. `watch` sees each iteration's energy.
     pub fn minimise<const N: usize>(
@@ -34,31 +38,44 @@ impl<R: Real> Solver<R> {
         ask: &Ask<R>,
         loads: &impl Loads<R>,
         settings: &Settings,
-        mut watch: impl FnMut(&Energy<R>, [R; 4]),
+        mut watch: impl FnMut(&Energy<R>, [R; 7]),
     ) -> Report<R> {
         let mut report = Report { status: Status::Capped, ..Report::NONE };
+        self.shift = self.first;
+        self.shrink(0.25);
         let floor = body.strip.stiff * R::of(settings.barrier);
-        start_barrier(body, floor);
+        start_barrier(body, floor, settings.tune[3]);
         body.place(R::ZERO);
         let mut energy = body.evaluate(ask, loads);
         report.trials += 1;
         let mut joined = body.gap.size(body.strip.length());
+        let mut last_gap = joined;
+        let mut dbg = [R::ZERO; 3];
         for _ in 0..settings.iterations {
-            watch(&energy, [joined, body.mu, self.shift, report.size]);
+            watch(&energy, [joined, body.mu, self.shift, report.size, dbg[0], dbg[1], dbg[2]]);
             let Some(fall) = self.factor(body, ask, loads, settings, &mut report) else {
                 report.status = Status::Stalled;
                 break;
             };
-            let [size, share] = body.solve();
+            let ([size, share], held) = body.solve(true);
+            let longest = share;
             (report.fall, report.size) = (fall, size);
             if !(size.finite() && fall.finite()) {
                 report.status = Status::Held;
                 break;
             }
             report.iterations += 1;
-            let Some((next, share)) =
-                search(body, ask, loads, settings, energy, [fall, share], &mut report)
-            else {
+            if report.iterations == 1 {
+                self.first = self.shift;
+            }
+            let mut found = search(body, ask, loads, settings, energy, [fall, share], &mut report);
+            let mut longest = longest;
+            if held > 0 && found.is_none_or(|(_, s)| s < R::of(0.1)) {
+                let ([_, share], _) = body.solve(false);
+                longest = share;
+                found = search(body, ask, loads, settings, energy, [fall, share], &mut report);
+            }
+            let Some((next, share)) = found else {
                 if self.shift < R::of(MOST_SHIFT)
                     && fall > energy.total(body.mu).magnitude() * R::of(8.0 * R::EPSILON)
                 {
@@ -75,7 +92,7 @@ impl<R: Real> Solver<R> {
                     break;
                 }
                 if body.looped() {
-                    body.hold.update(&body.gap);
+                    last_gap = tighten(body, joined, last_gap);
                     energy.joint = body.hold.energy(&body.gap);
                 }
                 report.status = Status::Capped;
@@ -83,15 +100,13 @@ impl<R: Real> Solver<R> {
             };
             let won = (energy.total(body.mu) - next.total(body.mu))
                 / (fall * share * (R::one() - share * R::of(0.5)));
+            dbg = [longest, share, won];
             accept(body);
             energy = next;
-            if won > R::of(0.5) && share > R::of(0.5) {
-                self.shift = self.shift * R::of(0.25);
-                if self.shift < R::of(LEAST_SHIFT) {
-                    self.shift = R::ZERO;
-                }
-            } else if won < R::of(0.1) || share < R::of(0.1) {
+            if share < longest * R::of(0.3) || (held == 0 && won < R::of(0.1)) {
                 self.grow();
+            } else if share >= longest && (held > 0 || won > R::of(0.5)) {
+                self.shrink(if won > R::of(0.8) { settings.tune[4] } else { 0.25 });
             }
             joined = body.gap.size(body.strip.length());
             let small = size <= R::of(settings.tolerance) && share >= R::one();
@@ -100,15 +115,24 @@ impl<R: Real> Solver<R> {
                 report.status = Status::Converged;
                 break;
             }
-            lower(body, floor, fall * share);
-            if body.looped() {
-                body.hold.update(&body.gap);
+            if share > R::of(0.5) {
+                lower(body, floor, fall * share);
+            }
+            if body.looped() && nearly(fall, body, &energy) {
+                last_gap = tighten(body, joined, last_gap);
                 energy.joint = body.hold.energy(&body.gap);
             }
         }
-        watch(&energy, [joined, body.mu, self.shift, report.size]);
+        watch(&energy, [joined, body.mu, self.shift, report.size, dbg[0], dbg[1], dbg[2]]);
         (report.objective, report.gap) = (energy.objective, joined);
         report
+    }
+
+    fn shrink(&mut self, factor: f64) {
+        self.shift = self.shift * R::of(factor);
+        if self.shift < R::of(LEAST_SHIFT) {
+            self.shift = R::ZERO;
+        }
     }
 
     fn grow(&mut self) {
@@ -125,7 +149,9 @@ impl<R: Real> Solver<R> {
     ) -> Option<R> {
         for _ in 0..settings.shifts {
             report.factorisations += 1;
-            if let Some(fall) = body.factor(ask, loads, self.shift) {
+            if let Some(fall) =
+                body.factor(ask, loads, [self.shift * R::of(settings.tune[0]), self.shift])
+            {
                 return Some(fall);
             }
             self.grow();
@@ -135,8 +161,8 @@ impl<R: Real> Solver<R> {
 }
 
 /// Duals that fit the barrier parameter where none were kept.
-fn start_barrier<R: Real, const N: usize>(body: &mut Body<R, N>, floor: R) {
-    body.mu = (body.strip.stiff * R::of(1e-5)).larger(floor);
+fn start_barrier<R: Real, const N: usize>(body: &mut Body<R, N>, floor: R, start: f64) {
+    body.mu = (body.strip.stiff * R::of(start)).larger(floor);
     let (mu, limit) = (body.mu, body.strip.limit);
     let mut stages = body.used_mut().iter_mut().peekable();
     while let Some(s) = stages.next() {
@@ -144,6 +170,24 @@ fn start_barrier<R: Real, const N: usize>(body: &mut Body<R, N>, floor: R) {
         let u = (far - s.kept.c) / limit;
         s.dual = [mu / (R::one() - u), mu / (R::one() + u)];
     }
+}
+
+/// Whether the loop's Lagrangian is nearly minimised, against what its gap costs.
+fn nearly<R: Real, const N: usize>(fall: R, body: &Body<R, N>, energy: &Energy<R>) -> bool {
+    let hold = &body.hold;
+    let cost = hold.turn * body.gap.turn.norm_sq() + hold.shift * body.gap.shift.norm_sq();
+    fall < cost * R::of(0.1) || fall < energy.total(body.mu).magnitude() * R::of(16.0 * R::EPSILON)
+}
+
+/// Moves the multipliers, and where the gap did not shrink well, raises the penalties.
+fn tighten<R: Real, const N: usize>(body: &mut Body<R, N>, gap: R, before: R) -> R {
+    body.hold.update(&body.gap);
+    let most = body.strip.stiff * R::of(MOST_PENALTY);
+    if gap > before * R::of(0.1) && body.hold.turn < most {
+        body.hold.turn = body.hold.turn * R::of(10.0);
+        body.hold.shift = body.hold.shift * R::of(10.0);
+    }
+    gap
 }
 
 /// Lowers the barrier once its problem is nearly solved.
@@ -177,11 +221,54 @@ fn search<R: Real, const N: usize>(
         let trial = body.evaluate(ask, loads);
         report.trials += 1;
         if trial.total(body.mu) <= before - fall * share * R::of(ARMIJO) + slack {
-            return Some((trial, share));
+            return Some(expand(
+                body,
+                ask,
+                loads,
+                settings,
+                [before, fall, share, longest],
+                trial,
+                report,
+            ));
         }
         share = share * R::of(0.5);
     }
     None
+}
+
+/// Doubles the share for as long as the merit keeps falling as if the model had no curvature.
+fn expand<R: Real, const N: usize>(
+    body: &mut Body<R, N>,
+    ask: &Ask<R>,
+    loads: &impl Loads<R>,
+    settings: &Settings,
+    [before, fall, share, longest]: [R; 4],
+    mut best: Energy<R>,
+    report: &mut Report<R>,
+) -> (Energy<R>, R) {
+    let mut good = share;
+    let mut at = share;
+    let most = R::of(settings.tune[1]);
+    while good >= R::one() && longest >= R::one() && good < most {
+        let won = before - best.total(body.mu);
+        if won < fall * good * R::of(settings.tune[2]) {
+            break;
+        }
+        at = good * R::of(2.0);
+        body.place(at);
+        let trial = body.evaluate(ask, loads);
+        report.trials += 1;
+        if !(trial.total(body.mu) < best.total(body.mu)) {
+            break;
+        }
+        (good, best) = (at, trial);
+    }
+    if at > good {
+        body.place(good);
+        best = body.evaluate(ask, loads);
+        report.trials += 1;
+    }
+    (best, good)
 }
 
 /// Duals follow, then the point is kept.

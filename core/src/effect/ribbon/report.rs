@@ -17,6 +17,8 @@ pub struct Settings {
     pub shifts: u32,
     /// Last barrier parameter, as a share of the crease stiffness.
     pub barrier: f64,
+    /// Tuning.
+    pub tune: [f64; 5],
 }
 
 impl Settings {
@@ -28,6 +30,7 @@ impl Settings {
         trials: 12,
         shifts: 24,
         barrier: 1e-9,
+        tune: [1.0, 1.0, 0.7, 1e-5, 0.1],
     };
     /// For rest shapes, and as an oracle.
     pub const EXACT: Self = Self {
@@ -37,6 +40,7 @@ impl Settings {
         trials: 20,
         shifts: 24,
         barrier: 1e-13,
+        tune: [1.0, 1.0, 0.7, 1e-5, 0.1],
     };
 }
 
@@ -88,4 +92,15 @@ impl<R: Real> Report<R> {
         size: R::ZERO,
         gap: R::ZERO,
     };
+
+    /// This answer, with an earlier solve's work added.
+    #[must_use]
+    pub fn after(self, earlier: &Self) -> Self {
+        Self {
+            iterations: self.iterations.saturating_add(earlier.iterations),
+            factorisations: self.factorisations.saturating_add(earlier.factorisations),
+            trials: self.trials.saturating_add(earlier.trials),
+            ..self
+        }
+    }
 }

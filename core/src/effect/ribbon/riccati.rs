@@ -46,6 +46,8 @@ pub struct Gain<R> {
     pub d: [Six<R>; 2],
     /// `S_ψ`, `S_c`.
     pub axes: [Six<R>; 2],
+    /// How `ψ` follows where `c` is held off its rule.
+    pub lean: R,
 }
 
 /// What ties a crease to the state before it, beside the dynamics; row `ψ` then row `c`.
@@ -73,21 +75,32 @@ impl<R: Real> Gain<R> {
         u: [[R::ZERO; 2]; 2],
         d: [[R::ZERO; 6]; 2],
         axes: [[R::ZERO; 6]; 2],
+        lean: R::ZERO,
     };
-    /// The step of the crease, and the twist beyond it.
+    /// The step of the crease.
     #[inline]
-    pub fn step(&self, x: &Six<R>, u: [R; 2], d: Option<&Six<R>>) -> ([R; 2], Six<R>) {
+    pub fn rule(&self, x: &Six<R>, u: [R; 2], d: Option<&Six<R>>) -> [R; 2] {
         let row = |i: usize| {
             let near = self.u[i][0] * u[0] + self.u[i][1] * u[1];
             let far = d.map_or(R::ZERO, |d| dot6(&self.d[i], d));
             -(self.k[i] + dot6(&self.x[i], x) + near + far)
         };
-        let step = [row(0), row(1)];
+        [row(0), row(1)]
+    }
+    /// The step with `c`'s held within bounds, and the best `ψ` for it.
+    #[inline]
+    pub fn held(&self, step: [R; 2], [low, high]: [R; 2]) -> [R; 2] {
+        let c = step[1].larger(low).smaller(high);
+        [step[0] + self.lean * (c - step[1]), c]
+    }
+    /// The twist beyond the crease.
+    #[inline]
+    pub fn beyond(&self, x: &Six<R>, step: [R; 2]) -> Six<R> {
         let mut beyond = *x;
         for (b, (p, c)) in beyond.iter_mut().zip(self.axes[0].iter().zip(&self.axes[1])) {
             *b += *p * step[0] + *c * step[1];
         }
-        (step, beyond)
+        beyond
     }
 }
 
@@ -189,7 +202,7 @@ impl<R: Real> Value<R> {
         let columns = [solve(near[0][0], near[1][0]), solve(near[0][1], near[1][1])];
         let u = [[columns[0][0], columns[1][0]], [columns[0][1], columns[1][1]]];
         *fall += g[0] * k[0] + g[1] * k[1];
-        let mut gain = Gain { k, x, u, d: [[o; 6]; 2], axes: *axes };
+        let mut gain = Gain { k, x, u, d: [[o; 6]; 2], axes: *axes, lean: inverse[1] / inverse[2] };
         if tie.drift {
             gain.d = pair(&far[0], &far[1]);
             self.eliminate_drift(&rows, &near, &far, &gain, g);

@@ -6,7 +6,7 @@
 //!
 //! Checked by `tests/ribbon_derivatives.rs`.
 
-use super::barrier::{longest, wall};
+use super::barrier::{bounds, longest, wall};
 use super::bending;
 use super::body::{Body, Stage};
 use super::frame::{Six, dot6, halves, six};
@@ -36,11 +36,11 @@ impl<R: Real, const N: usize> Body<R, N> {
     /// # Cost
     ///
     /// Some 1,500 operations a segment.
-    pub fn factor(&mut self, ask: &Ask<R>, loads: &impl Loads<R>, shift: R) -> Option<R> {
+    pub fn factor(&mut self, ask: &Ask<R>, loads: &impl Loads<R>, shift: [R; 2]) -> Option<R> {
         let Self { strip, stages, end, motion, mu, hold, gap, .. } = self;
         let looped = strip.closure != super::spec::Closure::Open;
         let drift = looped && strip.free;
-        let shift_unit = strip.stiff * R::of(2.0) * shift;
+        let shift_unit = shift.map(|s| strip.stiff * R::of(2.0) * s);
         let (mut value, mut beyond, mut fall) = (Value::ZERO, [R::ZERO; 6], R::ZERO);
         if looped {
             let [at_end, at_start] = hold.gradient(gap);
@@ -80,8 +80,8 @@ impl<R: Real, const N: usize> Body<R, N> {
                 tie.g[1] += w.slope;
                 tie.h[2] += w.curve;
                 tie.u[1][1] -= w.curve;
-                tie.h[0] += shift_unit;
-                tie.h[2] += shift_unit;
+                tie.h[0] += shift_unit[0];
+                tie.h[2] += shift_unit[1];
                 tie.drift = drift;
                 s.gain = value.eliminate(&axes, &tie, &mut fall)?;
             }
@@ -102,7 +102,7 @@ impl<R: Real, const N: usize> Body<R, N> {
             value,
             next.turn,
             &beyond,
-            [shift_unit, R::of(if drift { 1.0 } else { 0.0 })],
+            [shift_unit[0], R::of(if drift { 1.0 } else { 0.0 })],
             fall,
         )
     }
@@ -149,32 +149,37 @@ impl<R: Real, const N: usize> Body<R, N> {
         Some(fall)
     }
 
-    /// The step of every crease from the factor; answers the largest and the largest share of it that stays inside.
-    pub fn solve(&mut self) -> [R; 2] {
+    /// The step of every crease from the factor; answers the largest, the largest share of it that stays inside, and
+    /// how many were held. Where `hold`, a crease whose step would leave the bounds is held at them on the way, and those
+    /// beyond it answer to that by their rules: one ruling at its bound does not shorten the step of all.
+    pub fn solve(&mut self, hold: bool) -> ([R; 2], u32) {
         let drift = self.looped() && self.strip.free;
-        let (d, limit) = (self.base_step, self.strip.limit);
+        let (d, limit, n) = (self.base_step, self.strip.limit, self.strip.n);
         let far = drift.then_some(&d);
         let start = if drift { [R::ZERO; 6] } else { d };
-        let (mut step, mut x) = self.root_gain.step(&start, [R::ZERO; 2], far);
-        let (mut size, mut share) = (R::ZERO, R::of(1.0));
-        let mut stages = self.used_mut().iter_mut().peekable();
-        while let Some(s) = stages.next() {
+        let mut step = self.root_gain.rule(&start, [R::ZERO; 2], far);
+        let mut x = self.root_gain.beyond(&start, step);
+        let (mut size, mut share, mut held) = (R::ZERO, R::of(1.0), 0);
+        let mut stages = self.used_mut().iter_mut().enumerate().peekable();
+        while let Some((j, s)) = stages.next() {
             s.step = Crease { psi: step[0], c: step[1] };
             size = size.larger(step[0].magnitude()).larger(step[1].magnitude());
-            let own = step;
-            let spread = match stages.peek() {
-                Some(next) => {
-                    (step, x) = s.gain.step(&x, own, far);
-                    next.kept.c - s.kept.c
+            let (own, mut spread) = (step, -s.kept.c);
+            step = [R::ZERO; 2];
+            if let Some((_, next)) = stages.peek() {
+                spread = next.kept.c - s.kept.c;
+                let rule = s.gain.rule(&x, own, far);
+                step = rule;
+                if hold {
+                    let reach = limit * R::of((n - j - 1) as f64);
+                    step = s.gain.held(rule, bounds(spread, own[1], limit, next.kept.c, reach));
+                    held += u32::from(step[1] != rule[1]);
                 }
-                None => {
-                    step = [R::ZERO; 2];
-                    -s.kept.c
-                }
-            };
+                x = s.gain.beyond(&x, step);
+            }
             share = share.smaller(longest(spread, step[1] - own[1], limit));
         }
-        [size, share]
+        ([size, if hold { R::of(1.0) } else { share }], held)
     }
 }
 
