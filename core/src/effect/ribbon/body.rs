@@ -158,6 +158,13 @@ impl<R: Real, const N: usize> Body<R, N> {
     pub fn looped(&self) -> bool {
         self.strip.closure != Closure::Open
     }
+    /// Penalties of a loop's joint at the start of a solve: so many times as stiff as the strip is as a whole.
+    pub fn soften(&mut self, times: R) {
+        let s = &self.strip;
+        let (turn, length) = (s.stiff * times / R::of(s.n as f64), s.length());
+        self.hold.turn = turn;
+        self.hold.shift = turn * R::of(40.0) / (length * length);
+    }
     /// Creases and start at a share of the step from where they were accepted.
     pub fn place(&mut self, share: R) {
         for s in self.used_mut() {

@@ -1,7 +1,6 @@
 //! What a caller holds: a ribbon in the world, laid, stepped, brought to rest.
 
 use super::body::Body;
-use super::closure::Hold;
 use super::frame::Frame;
 use super::joint::Crease;
 use super::load::{Ask, Loads};
@@ -140,12 +139,7 @@ impl<R: Real, const N: usize> Ribbon<R, N> {
     }
 
     fn hold_loop(&mut self) {
-        let s = &self.body.strip;
-        // Some ten times as stiff as the whole strip is against a turn of its end.
-        let turn = s.stiff * R::of(20.0 / s.n as f64);
-        let length = s.length();
-        self.body.hold =
-            Hold { lambda: [R::ZERO; 6], turn, shift: turn * R::of(40.0) / (length * length) };
+        self.body.hold.lambda = [R::ZERO; 6];
     }
 
     /// Lets `h` seconds pass: one implicit step (Ribbon Sec. 4).

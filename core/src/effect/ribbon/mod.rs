@@ -12,9 +12,9 @@
 //! | `resample` | where a point of the flat ribbon was bound for |
 //! | `inertia`, `bending`, `load`, `barrier`, `closure` | one energy each: value and derivatives |
 //! | `body` | the ribbon while it is solved for |
-//! | `riccati`, `sweep` | the linear solve |
+//! | `riccati`, `sweep`, `mend` | the linear solve; that of a loop's joint alone |
 //! | `newton`, `report` | the method, its limits and its answer |
-//! | `ribbon` | [`Ribbon`]: what a caller holds |
+//! | `life` | [`Ribbon`]: what a caller holds |
 //!
 //! Source: the seed's "Modelling Developable Ribbons Using Ruling Bending Coordinates", cited as Ribbon.
 
@@ -32,6 +32,7 @@ pub mod closure;
 pub mod riccati;
 pub mod body;
 pub mod sweep;
+pub mod mend;
 pub mod report;
 pub mod newton;
 pub mod life;

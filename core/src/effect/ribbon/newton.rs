@@ -15,6 +15,10 @@ const ARMIJO: f64 = 1e-4;
 const LEAST_SHIFT: f64 = 1e-8;
 /// Largest penalty of a turn at a loop's joint, in units of the crease stiffness.
 const MOST_PENALTY: f64 = 1e5;
+/// Steps at most that close a loop at the end.
+const CLOSINGS: u32 = 12;
+/// A loop never opens wider than this on the way, unless it is: radians, or share of its length.
+const WIDEST: f64 = 0.05;
 /// A shift above this is hopeless.
 const MOST_SHIFT: f64 = 1e12;
 
@@ -45,11 +49,13 @@ impl<R: Real> Solver<R> {
         self.shrink(0.25);
         let floor = body.strip.stiff * R::of(settings.barrier);
         start_barrier(body, floor, settings.tune[3]);
+        body.soften(R::of(settings.tune[1]));
         body.place(R::ZERO);
         let mut energy = body.evaluate(ask, loads);
         report.trials += 1;
         let mut joined = body.gap.size(body.strip.length());
-        let mut last_gap = joined;
+        let opened = joined;
+        let mut last_gap = R::of(1e3);
         let mut dbg = [R::ZERO; 3];
         for _ in 0..settings.iterations {
             watch(&energy, [joined, body.mu, self.shift, report.size, dbg[0], dbg[1], dbg[2]]);
@@ -68,12 +74,14 @@ impl<R: Real> Solver<R> {
             if report.iterations == 1 {
                 self.first = self.shift;
             }
-            let mut found = search(body, ask, loads, settings, energy, [fall, share], &mut report);
+            let mut found =
+                search(body, ask, loads, settings, energy, [fall, share, opened], &mut report);
             let mut longest = longest;
             if held > 0 && found.is_none_or(|(_, s)| s < R::of(0.1)) {
                 let ([_, share], _) = body.solve(false);
                 longest = share;
-                found = search(body, ask, loads, settings, energy, [fall, share], &mut report);
+                found =
+                    search(body, ask, loads, settings, energy, [fall, share, opened], &mut report);
             }
             let Some((next, share)) = found else {
                 if self.shift < R::of(MOST_SHIFT)
@@ -118,10 +126,17 @@ impl<R: Real> Solver<R> {
             if share > R::of(0.5) {
                 lower(body, floor, fall * share);
             }
+            if body.looped() && joined > (opened * R::of(2.0)).larger(R::of(0.1 * WIDEST)) {
+                stiffen(body);
+                energy.joint = body.hold.energy(&body.gap);
+            }
             if body.looped() && nearly(fall, body, &energy) {
                 last_gap = tighten(body, joined, last_gap);
                 energy.joint = body.hold.energy(&body.gap);
             }
+        }
+        if body.looped() && joined > R::of(settings.closure) && report.status != Status::Held {
+            (energy, joined) = close(body, ask, loads, settings, &mut report);
         }
         watch(&energy, [joined, body.mu, self.shift, report.size, dbg[0], dbg[1], dbg[2]]);
         (report.objective, report.gap) = (energy.objective, joined);
@@ -184,10 +199,50 @@ fn tighten<R: Real, const N: usize>(body: &mut Body<R, N>, gap: R, before: R) ->
     body.hold.update(&body.gap);
     let most = body.strip.stiff * R::of(MOST_PENALTY);
     if gap > before * R::of(0.1) && body.hold.turn < most {
-        body.hold.turn = body.hold.turn * R::of(10.0);
-        body.hold.shift = body.hold.shift * R::of(10.0);
+        stiffen(body);
     }
     gap
+}
+
+fn stiffen<R: Real, const N: usize>(body: &mut Body<R, N>) {
+    body.hold.turn = body.hold.turn * R::of(10.0);
+    body.hold.shift = body.hold.shift * R::of(10.0);
+}
+
+/// Closes a loop that is still open when the iterations are used up.
+fn close<R: Real, const N: usize>(
+    body: &mut Body<R, N>,
+    ask: &Ask<R>,
+    loads: &impl Loads<R>,
+    settings: &Settings,
+    report: &mut Report<R>,
+) -> (Energy<R>, R) {
+    let length = body.strip.length();
+    body.place(R::ZERO);
+    body.reconstruct();
+    let mut joined = body.gap.size(length);
+    for _ in 0..CLOSINGS {
+        report.factorisations += 1;
+        if joined <= R::of(settings.closure) || body.factor_joint().is_none() {
+            break;
+        }
+        report.iterations += 1;
+        let _ = body.solve(true);
+        let mut share = R::one();
+        for _ in 0..settings.trials {
+            body.place(share);
+            body.reconstruct();
+            let gap = body.gap.size(length);
+            if gap < joined * R::of(0.9) {
+                joined = gap;
+                accept(body);
+                break;
+            }
+            share = share * R::of(0.5);
+        }
+    }
+    body.place(R::ZERO);
+    (body.evaluate(ask, loads), joined)
 }
 
 /// Lowers the barrier once its problem is nearly solved.
@@ -210,9 +265,11 @@ fn search<R: Real, const N: usize>(
     loads: &impl Loads<R>,
     settings: &Settings,
     energy: Energy<R>,
-    [fall, longest]: [R; 2],
+    [fall, longest, opened]: [R; 3],
     report: &mut Report<R>,
 ) -> Option<(Energy<R>, R)> {
+    let length = body.strip.length();
+    let widest = opened.larger(R::of(WIDEST));
     let before = energy.total(body.mu);
     let slack = before.magnitude() * R::of(8.0 * R::EPSILON);
     let mut share = longest;
@@ -220,55 +277,13 @@ fn search<R: Real, const N: usize>(
         body.place(share);
         let trial = body.evaluate(ask, loads);
         report.trials += 1;
-        if trial.total(body.mu) <= before - fall * share * R::of(ARMIJO) + slack {
-            return Some(expand(
-                body,
-                ask,
-                loads,
-                settings,
-                [before, fall, share, longest],
-                trial,
-                report,
-            ));
+        let open = body.gap.size(length) > widest;
+        if !open && trial.total(body.mu) <= before - fall * share * R::of(ARMIJO) + slack {
+            return Some((trial, share));
         }
         share = share * R::of(0.5);
     }
     None
-}
-
-/// Doubles the share for as long as the merit keeps falling as if the model had no curvature.
-fn expand<R: Real, const N: usize>(
-    body: &mut Body<R, N>,
-    ask: &Ask<R>,
-    loads: &impl Loads<R>,
-    settings: &Settings,
-    [before, fall, share, longest]: [R; 4],
-    mut best: Energy<R>,
-    report: &mut Report<R>,
-) -> (Energy<R>, R) {
-    let mut good = share;
-    let mut at = share;
-    let most = R::of(settings.tune[1]);
-    while good >= R::one() && longest >= R::one() && good < most {
-        let won = before - best.total(body.mu);
-        if won < fall * good * R::of(settings.tune[2]) {
-            break;
-        }
-        at = good * R::of(2.0);
-        body.place(at);
-        let trial = body.evaluate(ask, loads);
-        report.trials += 1;
-        if !(trial.total(body.mu) < best.total(body.mu)) {
-            break;
-        }
-        (good, best) = (at, trial);
-    }
-    if at > good {
-        body.place(good);
-        best = body.evaluate(ask, loads);
-        report.trials += 1;
-    }
-    (best, good)
 }
 
 /// Duals follow, then the point is kept.
