@@ -176,6 +176,24 @@ impl<R: Real, const N: usize> Body<R, N> {
             self.base = self.kept_base.moved(&self.base_step.map(|v| v * share));
         }
     }
+    /// Brings accepted rulings so far apart that the barrier has something to hold on to.
+    pub fn part_rulings(&mut self) {
+        let (limit, n) = (self.strip.limit * R::of(0.999), self.strip.n);
+        let mut before = R::ZERO;
+        for (j, s) in self.used_mut().iter_mut().enumerate().skip(1) {
+            let reach = limit * R::of((n - j) as f64);
+            let c = s.kept.c.smaller(before + limit).larger(before - limit);
+            s.kept.c = c.smaller(reach).larger(-reach);
+            before = s.kept.c;
+        }
+    }
+    /// Whether all rulings as placed keep apart, by more than rounding.
+    pub fn inside(&self) -> bool {
+        let limit = self.strip.limit;
+        let far = self.used().iter().skip(1).map(|s| s.crease.c).chain(core::iter::once(R::ZERO));
+        let mut pairs = self.used().iter().zip(far);
+        pairs.all(|(s, far)| room(far - s.crease.c, limit) > R::of(64.0 * R::EPSILON))
+    }
     /// Takes what was evaluated for good.
     pub fn keep(&mut self) {
         self.used_mut().iter_mut().for_each(|s| s.kept = s.crease);
@@ -243,7 +261,7 @@ impl<R: Real, const N: usize> Body<R, N> {
                 + ask.energy(j, &s.pair)
                 + ask.guided(j, s.frame.n);
             let room = room(cell.spread, self.strip.limit);
-            outside |= !(room > R::ZERO);
+            outside |= !(room > R::of(64.0 * R::EPSILON));
             logs.take(room);
         }
         let (n, pair) = (self.strip.n, &self.end.pair);

@@ -81,26 +81,18 @@ impl<R: Real, const N: usize> Ribbon<R, N> {
     /// Lays it in a shape, at rest: the start's frame in the ribbon's own coordinates, and each crease. Rulings that
     /// would meet are brought apart; the spec's perturbation is added.
     pub fn lay(&mut self, base: &Frame<R>, crease: impl Fn(usize) -> Crease<R>) {
-        let (limit, hinge) = (self.body.strip.limit * R::of(0.999), self.body.strip.hinge);
-        let mut noise = Noise(self.spec.seed);
-        let (mut before, n) = (R::ZERO, self.body.strip.n);
-        let perturbation = self.spec.perturbation;
+        let hinged = self.body.strip.hinge > R::ZERO;
+        let (mut noise, perturbation) = (Noise(self.spec.seed), self.spec.perturbation);
         for (j, s) in self.body.used_mut().iter_mut().enumerate() {
             let mut at = crease(j);
             at.psi += R::of(noise.next() * perturbation);
             if j == 0 {
-                at.c = R::ZERO;
-                if !(hinge > R::ZERO) {
-                    at.psi = R::ZERO;
-                }
+                at = Crease { psi: if hinged { at.psi } else { R::ZERO }, c: R::ZERO };
             }
-            // What the cells to the end allow, and the last crease.
-            let reach = limit * R::of((n - j) as f64);
-            at.c = at.c.smaller(before + limit).larger(before - limit);
-            at.c = at.c.smaller(reach).larger(-reach);
-            before = at.c;
-            (s.kept, s.crease, s.velocity) = (at, at, [V3([R::ZERO; 3]); 2]);
+            (s.kept, s.velocity) = (at, [V3([R::ZERO; 3]); 2]);
         }
+        self.body.part_rulings();
+        self.body.place(R::ZERO);
         self.body.end.velocity = [V3([R::ZERO; 3]); 2];
         self.body.kept_base = *base;
         self.body.base = *base;

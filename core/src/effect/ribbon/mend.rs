@@ -9,6 +9,8 @@ use super::joint::{Turn, about};
 use super::riccati::{Tie, Value};
 use crate::real::Real;
 
+/// What a step of a slope weighs against one of an angle: slopes have bounds, angles have none.
+const SLOPES: f64 = 100.0;
 /// Penalty of a turn at the joint, against one for a crease's own.
 const RATE: f64 = 1e6;
 
@@ -30,7 +32,7 @@ impl<R: Real, const N: usize> Body<R, N> {
             x: [[o; 6]; 2],
             u: [[o; 2]; 2],
             g: [o; 2],
-            h: [one, o, one],
+            h: [one, o, R::of(SLOPES)],
             free,
             drift: false,
         };

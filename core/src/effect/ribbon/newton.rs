@@ -48,6 +48,7 @@ impl<R: Real> Solver<R> {
         self.shift = self.first;
         self.shrink(0.25);
         let floor = body.strip.stiff * R::of(settings.barrier);
+        body.part_rulings();
         start_barrier(body, floor, settings.tune[3]);
         body.soften(R::of(settings.tune[1]));
         body.place(R::ZERO);
@@ -233,7 +234,7 @@ fn close<R: Real, const N: usize>(
             body.place(share);
             body.reconstruct();
             let gap = body.gap.size(length);
-            if gap < joined * R::of(0.9) {
+            if gap < joined * R::of(0.9) && body.inside() {
                 joined = gap;
                 accept(body);
                 break;

@@ -30,7 +30,7 @@ impl Settings {
         trials: 12,
         shifts: 24,
         barrier: 1e-9,
-        tune: [1.0, 1000.0, 0.7, 1e-5, 0.1],
+        tune: [1.0, 30000.0, 0.7, 1e-5, 0.1],
     };
     /// For rest shapes, and as an oracle.
     pub const EXACT: Self = Self {
@@ -40,7 +40,7 @@ impl Settings {
         trials: 20,
         shifts: 24,
         barrier: 1e-13,
-        tune: [1.0, 1000.0, 0.7, 1e-5, 0.1],
+        tune: [1.0, 30000.0, 0.7, 1e-5, 0.1],
     };
 }
 
