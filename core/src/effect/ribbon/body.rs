@@ -256,7 +256,7 @@ impl<R: Real, const N: usize> Body<R, N> {
             };
             let cell = Self::cell(s, (pair, want, crease.c));
             energy.objective += cell.energy(&self.strip.mass, &self.motion)
-                + bending::energy(&self.strip, j == 0, s.crease, crease)
+                + bending::energy(&self.strip, j, s.crease, crease)
                 + loads.energy(j, &s.pair)
                 + ask.energy(j, &s.pair)
                 + ask.guided(j, s.frame.n);

@@ -153,7 +153,7 @@ impl<R: Real, const N: usize> Ribbon<R, N> {
         &mut self,
         h: f64,
         loads: &impl Loads<R>,
-        mut watch: impl FnMut(R, [R; 7]),
+        mut watch: impl FnMut(R, R),
     ) -> Report<R> {
         if !(h.is_finite() && h > 0.0) {
             return Report { status: Status::Held, ..Report::NONE };
@@ -165,9 +165,7 @@ impl<R: Real, const N: usize> Ribbon<R, N> {
         self.body.motion.pull = V3([R::ZERO; 3]);
         let start = self.body.kept_base;
         let report =
-            self.solver.minimise(&mut self.body, &self.ask, loads, &self.settings, |e, gap| {
-                watch(e.objective, gap)
-            });
+            self.solver.minimise(&mut self.body, &self.ask, loads, &self.settings, &mut watch);
         if report.status == Status::Held {
             self.rest_where_it_was(&start);
         } else {
@@ -185,7 +183,7 @@ impl<R: Real, const N: usize> Ribbon<R, N> {
     pub fn settle_watched(
         &mut self,
         settings: &Settings,
-        mut watch: impl FnMut(R, [R; 7]),
+        mut watch: impl FnMut(R, R),
     ) -> Report<R> {
         let (start, free) = (self.body.kept_base, self.body.strip.free);
         self.body.strip.free = false;
@@ -193,9 +191,7 @@ impl<R: Real, const N: usize> Ribbon<R, N> {
         self.body.motion.pull = V3(self.gravity.map(R::of));
         self.body.used_mut().iter_mut().for_each(|s| s.want = [Sample::ZERO; 2]);
         self.body.end.want = [Sample::ZERO; 2];
-        let report = self
-            .solver
-            .minimise(&mut self.body, &self.ask, &(), settings, |e, g| watch(e.objective, g));
+        let report = self.solver.minimise(&mut self.body, &self.ask, &(), settings, &mut watch);
         self.body.strip.free = free;
         let base = if report.status == Status::Held { start } else { self.body.kept_base };
         self.rest_where_it_was(&base);

@@ -1,7 +1,13 @@
 //! Newton's method on a ribbon: shift, step, line search, barrier, multipliers.
 //!
 //! Each iteration is one backward and one forward sweep and a trial or two. Where the model has no minimum, or no
-//! share of its step lowers the merit, a shift of both creases' unknowns grows; it is kept from step to step.
+//! share of its step lowers the merit, a shift of both creases' unknowns grows; what the first iteration of a solve
+//! needed is where the next solve begins. Rulings at their bounds are held there on the way, and only where that does
+//! not help is the whole step shortened for them. A loop's multipliers move whenever its Lagrangian is nearly minimised;
+//! a loop that is still open when the iterations are used up is closed by `mend`.
+//!
+//! Source: ours; Levenberg's shift, Fiacco and McCormick's barrier, Powell's multipliers. Checked by
+//! `tests/ribbon_newton.rs`, `tests/ribbon_loops.rs`, `tests/ribbon_hard_cases.rs`.
 
 use super::barrier::duals;
 use super::body::{Body, Energy};
@@ -13,14 +19,18 @@ use crate::real::Real;
 const ARMIJO: f64 = 1e-4;
 /// A shift below this share of the stiffness is none.
 const LEAST_SHIFT: f64 = 1e-8;
-/// Largest penalty of a turn at a loop's joint, in units of the crease stiffness.
-const MOST_PENALTY: f64 = 1e5;
-/// Steps at most that close a loop at the end.
-const CLOSINGS: u32 = 12;
-/// A loop never opens wider than this on the way, unless it is: radians, or share of its length.
-const WIDEST: f64 = 0.05;
 /// A shift above this is hopeless.
 const MOST_SHIFT: f64 = 1e12;
+/// First barrier parameter, in units of the crease stiffness.
+const FIRST_BARRIER: f64 = 1e-5;
+/// First penalty of a turn at a loop's joint, in units of the whole strip's stiffness.
+const FIRST_PENALTY: f64 = 3e4;
+/// Largest penalty there, in units of a crease's stiffness.
+const MOST_PENALTY: f64 = 1e5;
+/// A loop never opens wider than this on the way, unless it is: radians, or share of its length.
+const WIDEST: f64 = 0.05;
+/// Steps at most that close a loop at the end.
+const CLOSINGS: u32 = 12;
 
 /// What is carried from one solve to the next.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,117 +41,73 @@ pub struct Solver<R> {
     pub first: R,
 }
 
+/// One solve under way.
+struct Run<'a, R: Real, L, const N: usize> {
+    solver: &'a mut Solver<R>,
+    body: &'a mut Body<R, N>,
+    ask: &'a Ask<R>,
+    loads: &'a L,
+    settings: &'a Settings,
+    report: Report<R>,
+    energy: Energy<R>,
+    /// The last barrier parameter.
+    floor: R,
+    /// The loop's gap at the start, now, and when the multipliers moved last.
+    opened: R,
+    joined: R,
+    moved: R,
+}
+
+/// A direction from the sweeps.
+#[derive(Clone, Copy)]
+struct Direction<R> {
+    fall: R,
+    size: R,
+    longest: R,
+    held: bool,
+}
+
 impl<R: Real> Solver<R> {
     /// Without memory.
     pub const NEW: Self = Self { shift: R::ZERO, first: R::ZERO };
 
-    /// Minimises; the body is left at the best point, evaluated and kept. `watch` sees each iteration's energy.
+    /// Minimises; the body is left at the best point, evaluated and kept. `watch` sees the objective and the loop's gap
+    /// before every iteration and at the end.
+    ///
+    /// # Cost
+    ///
+    /// At most [`Settings::iterations`] iterations, and a dozen cheaper ones where a loop has to be closed.
+    ///
+    /// # Errors
+    ///
+    /// None: how it ended is in the report.
     pub fn minimise<const N: usize>(
         &mut self,
         body: &mut Body<R, N>,
         ask: &Ask<R>,
         loads: &impl Loads<R>,
         settings: &Settings,
-        mut watch: impl FnMut(&Energy<R>, [R; 7]),
+        mut watch: impl FnMut(R, R),
     ) -> Report<R> {
-        let mut report = Report { status: Status::Capped, ..Report::NONE };
-        self.shift = self.first;
-        self.shrink(0.25);
-        let floor = body.strip.stiff * R::of(settings.barrier);
-        body.part_rulings();
-        start_barrier(body, floor, settings.tune[3]);
-        body.soften(R::of(settings.tune[1]));
-        body.place(R::ZERO);
-        let mut energy = body.evaluate(ask, loads);
-        report.trials += 1;
-        let mut joined = body.gap.size(body.strip.length());
-        let opened = joined;
-        let mut last_gap = R::of(1e3);
-        let mut dbg = [R::ZERO; 3];
+        let mut run = Run::begin(self, body, ask, loads, settings);
+        if !run.energy.objective.finite() {
+            run.report.status = Status::Held;
+            return run.report;
+        }
         for _ in 0..settings.iterations {
-            watch(&energy, [joined, body.mu, self.shift, report.size, dbg[0], dbg[1], dbg[2]]);
-            let Some(fall) = self.factor(body, ask, loads, settings, &mut report) else {
-                report.status = Status::Stalled;
+            watch(run.energy.objective, run.joined);
+            if let Some(status) = run.iterate() {
+                run.report.status = status;
                 break;
-            };
-            let ([size, share], held) = body.solve(true);
-            let longest = share;
-            (report.fall, report.size) = (fall, size);
-            if !(size.finite() && fall.finite()) {
-                report.status = Status::Held;
-                break;
-            }
-            report.iterations += 1;
-            if report.iterations == 1 {
-                self.first = self.shift;
-            }
-            let mut found =
-                search(body, ask, loads, settings, energy, [fall, share, opened], &mut report);
-            let mut longest = longest;
-            if held > 0 && found.is_none_or(|(_, s)| s < R::of(0.1)) {
-                let ([_, share], _) = body.solve(false);
-                longest = share;
-                found =
-                    search(body, ask, loads, settings, energy, [fall, share, opened], &mut report);
-            }
-            let Some((next, share)) = found else {
-                if self.shift < R::of(MOST_SHIFT)
-                    && fall > energy.total(body.mu).magnitude() * R::of(8.0 * R::EPSILON)
-                {
-                    self.grow();
-                    body.place(R::ZERO);
-                    energy = body.evaluate(ask, loads);
-                    continue;
-                }
-                body.place(R::ZERO);
-                energy = body.evaluate(ask, loads);
-                let done = body.mu <= floor && joined <= R::of(settings.closure);
-                report.status = if done { Status::Converged } else { Status::Stalled };
-                if done || !relax(body, floor) {
-                    break;
-                }
-                if body.looped() {
-                    last_gap = tighten(body, joined, last_gap);
-                    energy.joint = body.hold.energy(&body.gap);
-                }
-                report.status = Status::Capped;
-                continue;
-            };
-            let won = (energy.total(body.mu) - next.total(body.mu))
-                / (fall * share * (R::one() - share * R::of(0.5)));
-            dbg = [longest, share, won];
-            accept(body);
-            energy = next;
-            if share < longest * R::of(0.3) || (held == 0 && won < R::of(0.1)) {
-                self.grow();
-            } else if share >= longest && (held > 0 || won > R::of(0.5)) {
-                self.shrink(if won > R::of(0.8) { settings.tune[4] } else { 0.25 });
-            }
-            joined = body.gap.size(body.strip.length());
-            let small = size <= R::of(settings.tolerance) && share >= R::one();
-            let closed = !body.looped() || joined <= R::of(settings.closure);
-            if small && closed && body.mu <= floor {
-                report.status = Status::Converged;
-                break;
-            }
-            if share > R::of(0.5) {
-                lower(body, floor, fall * share);
-            }
-            if body.looped() && joined > (opened * R::of(2.0)).larger(R::of(0.1 * WIDEST)) {
-                stiffen(body);
-                energy.joint = body.hold.energy(&body.gap);
-            }
-            if body.looped() && nearly(fall, body, &energy) {
-                last_gap = tighten(body, joined, last_gap);
-                energy.joint = body.hold.energy(&body.gap);
             }
         }
-        if body.looped() && joined > R::of(settings.closure) && report.status != Status::Held {
-            (energy, joined) = close(body, ask, loads, settings, &mut report);
+        let open = run.body.looped() && run.joined > R::of(settings.closure);
+        if open && run.report.status != Status::Held {
+            run.close();
         }
-        watch(&energy, [joined, body.mu, self.shift, report.size, dbg[0], dbg[1], dbg[2]]);
-        (report.objective, report.gap) = (energy.objective, joined);
-        report
+        watch(run.energy.objective, run.joined);
+        (run.report.objective, run.report.gap) = (run.energy.objective, run.joined);
+        run.report
     }
 
     fn shrink(&mut self, factor: f64) {
@@ -154,31 +120,218 @@ impl<R: Real> Solver<R> {
     fn grow(&mut self) {
         self.shift = (self.shift * R::of(8.0)).larger(R::of(1e-3));
     }
+}
 
-    fn factor<const N: usize>(
-        &mut self,
-        body: &mut Body<R, N>,
-        ask: &Ask<R>,
-        loads: &impl Loads<R>,
-        settings: &Settings,
-        report: &mut Report<R>,
-    ) -> Option<R> {
-        for _ in 0..settings.shifts {
-            report.factorisations += 1;
-            if let Some(fall) =
-                body.factor(ask, loads, [self.shift * R::of(settings.tune[0]), self.shift])
-            {
-                return Some(fall);
+impl<'a, R: Real, L: Loads<R>, const N: usize> Run<'a, R, L, N> {
+    fn begin(
+        solver: &'a mut Solver<R>,
+        body: &'a mut Body<R, N>,
+        ask: &'a Ask<R>,
+        loads: &'a L,
+        settings: &'a Settings,
+    ) -> Self {
+        solver.shift = solver.first;
+        solver.shrink(0.25);
+        let floor = body.strip.stiff * R::of(settings.barrier);
+        body.part_rulings();
+        start_barrier(body, floor);
+        body.soften(R::of(FIRST_PENALTY));
+        body.place(R::ZERO);
+        let energy = body.evaluate(ask, loads);
+        let gap = body.gap.size(body.strip.length());
+        let report = Report { status: Status::Capped, trials: 1, ..Report::NONE };
+        let moved = R::of(1e3);
+        Self {
+            solver,
+            body,
+            ask,
+            loads,
+            settings,
+            report,
+            energy,
+            floor,
+            opened: gap,
+            joined: gap,
+            moved,
+        }
+    }
+
+    /// One iteration; answers how the solve ended, if it did.
+    fn iterate(&mut self) -> Option<Status> {
+        let Some(mut to) = self.direction() else { return Some(Status::Stalled) };
+        (self.report.fall, self.report.size) = (to.fall, to.size);
+        if !(to.size.finite() && to.fall.finite()) {
+            return Some(Status::Held);
+        }
+        self.report.iterations += 1;
+        if self.report.iterations == 1 {
+            self.solver.first = self.solver.shift;
+        }
+        let mut found = self.search(&to);
+        if to.held && found.is_none_or(|(_, share)| share < R::of(0.1)) {
+            (to.longest, to.held) = (self.body.solve(false).0[1], false);
+            found = self.search(&to);
+        }
+        match found {
+            Some((energy, share)) => self.take(&to, energy, share),
+            None => self.refuse(&to),
+        }
+    }
+
+    /// Factors, with as much shift as that needs, and solves.
+    fn direction(&mut self) -> Option<Direction<R>> {
+        for _ in 0..self.settings.shifts {
+            self.report.factorisations += 1;
+            if let Some(fall) = self.body.factor(self.ask, self.loads, self.solver.shift) {
+                let ([size, longest], held) = self.body.solve(true);
+                return Some(Direction { fall, size, longest, held: held > 0 });
             }
-            self.grow();
+            self.solver.grow();
         }
         None
     }
+
+    /// Halves the share until the merit falls.
+    fn search(&mut self, to: &Direction<R>) -> Option<(Energy<R>, R)> {
+        let (length, widest) = (self.body.strip.length(), self.opened.larger(R::of(WIDEST)));
+        let before = self.energy.total(self.body.mu);
+        let slack = before.magnitude() * R::of(8.0 * R::EPSILON);
+        let mut share = to.longest;
+        for _ in 0..self.settings.trials {
+            let trial = self.evaluate(share);
+            let closed = !(self.body.gap.size(length) > widest);
+            let enough = before - to.fall * share * R::of(ARMIJO) + slack;
+            if closed && trial.total(self.body.mu) <= enough {
+                return Some((trial, share));
+            }
+            share = share * R::of(0.5);
+        }
+        None
+    }
+
+    fn evaluate(&mut self, share: R) -> Energy<R> {
+        self.body.place(share);
+        self.report.trials += 1;
+        self.body.evaluate(self.ask, self.loads)
+    }
+
+    /// Takes a trial.
+    fn take(&mut self, to: &Direction<R>, energy: Energy<R>, share: R) -> Option<Status> {
+        let fell = self.energy.total(self.body.mu) - energy.total(self.body.mu);
+        let won = fell / (to.fall * share * (R::one() - share * R::of(0.5)));
+        accept(self.body);
+        self.energy = energy;
+        if share < to.longest * R::of(0.3) || (!to.held && won < R::of(0.1)) {
+            self.solver.grow();
+        } else if share >= to.longest && (to.held || won > R::of(0.5)) {
+            self.solver.shrink(if won > R::of(0.8) { 0.1 } else { 0.25 });
+        }
+        self.joined = self.body.gap.size(self.body.strip.length());
+        let small = to.size <= R::of(self.settings.tolerance) && share >= R::one();
+        if small && self.closed() && self.body.mu <= self.floor {
+            return Some(Status::Converged);
+        }
+        if share > R::of(0.5)
+            && to.fall * share < self.body.mu * R::of(30.0 * self.body.strip.n as f64)
+        {
+            self.relax();
+        }
+        if self.body.looped() {
+            self.hold(to.fall);
+        }
+        None
+    }
+
+    /// No share of the step lowers the merit: more shift, or a tighter problem, or the end.
+    fn refuse(&mut self, to: &Direction<R>) -> Option<Status> {
+        let rounding = self.energy.total(self.body.mu).magnitude() * R::of(8.0 * R::EPSILON);
+        self.energy = self.evaluate(R::ZERO);
+        if self.solver.shift < R::of(MOST_SHIFT) && to.fall > rounding {
+            self.solver.grow();
+            return None;
+        }
+        let last = self.body.mu <= self.floor;
+        if last {
+            return Some(if self.closed() { Status::Converged } else { Status::Stalled });
+        }
+        self.relax();
+        if self.body.looped() {
+            self.tighten();
+        }
+        None
+    }
+
+    fn closed(&self) -> bool {
+        !self.body.looped() || self.joined <= R::of(self.settings.closure)
+    }
+
+    /// Lowers the barrier.
+    fn relax(&mut self) {
+        self.body.mu = (self.body.mu * R::of(0.1)).larger(self.floor);
+    }
+
+    /// Looks after a loop: stiffens what opens, moves the multipliers when the Lagrangian is nearly minimised.
+    fn hold(&mut self, fall: R) {
+        if self.joined > (self.opened * R::of(2.0)).larger(R::of(0.1 * WIDEST)) {
+            self.stiffen();
+        }
+        let (hold, gap) = (&self.body.hold, &self.body.gap);
+        let cost = hold.turn * gap.turn.norm_sq() + hold.shift * gap.shift.norm_sq();
+        let rounding = self.energy.total(self.body.mu).magnitude() * R::of(16.0 * R::EPSILON);
+        if fall < cost * R::of(0.1) || fall < rounding {
+            self.tighten();
+        }
+        self.energy.joint = self.body.hold.energy(&self.body.gap);
+    }
+
+    /// Moves the multipliers, and where the gap did not shrink well, raises the penalties.
+    fn tighten(&mut self) {
+        self.body.hold.update(&self.body.gap);
+        let most = self.body.strip.stiff * R::of(MOST_PENALTY);
+        if self.joined > self.moved * R::of(0.1) && self.body.hold.turn < most {
+            self.stiffen();
+        }
+        self.moved = self.joined;
+        self.energy.joint = self.body.hold.energy(&self.body.gap);
+    }
+
+    fn stiffen(&mut self) {
+        let hold = &mut self.body.hold;
+        (hold.turn, hold.shift) = (hold.turn * R::of(10.0), hold.shift * R::of(10.0));
+    }
+
+    /// Closes a loop that is still open when the iterations are used up.
+    fn close(&mut self) {
+        let length = self.body.strip.length();
+        for _ in 0..CLOSINGS {
+            self.body.place(R::ZERO);
+            self.body.reconstruct();
+            self.joined = self.body.gap.size(length);
+            self.report.factorisations += 1;
+            if self.closed() || self.body.factor_joint().is_none() {
+                break;
+            }
+            self.report.iterations += 1;
+            let _ = self.body.solve(true);
+            let mut share = R::one();
+            for _ in 0..self.settings.trials {
+                self.body.place(share);
+                self.body.reconstruct();
+                if self.body.gap.size(length) < self.joined * R::of(0.9) && self.body.inside() {
+                    accept(self.body);
+                    break;
+                }
+                share = share * R::of(0.5);
+            }
+        }
+        self.energy = self.evaluate(R::ZERO);
+        self.joined = self.body.gap.size(length);
+    }
 }
 
-/// Duals that fit the barrier parameter where none were kept.
-fn start_barrier<R: Real, const N: usize>(body: &mut Body<R, N>, floor: R, start: f64) {
-    body.mu = (body.strip.stiff * R::of(start)).larger(floor);
+/// The first barrier parameter, and duals that fit it.
+fn start_barrier<R: Real, const N: usize>(body: &mut Body<R, N>, floor: R) {
+    body.mu = (body.strip.stiff * R::of(FIRST_BARRIER)).larger(floor);
     let (mu, limit) = (body.mu, body.strip.limit);
     let mut stages = body.used_mut().iter_mut().peekable();
     while let Some(s) = stages.next() {
@@ -186,105 +339,6 @@ fn start_barrier<R: Real, const N: usize>(body: &mut Body<R, N>, floor: R, start
         let u = (far - s.kept.c) / limit;
         s.dual = [mu / (R::one() - u), mu / (R::one() + u)];
     }
-}
-
-/// Whether the loop's Lagrangian is nearly minimised, against what its gap costs.
-fn nearly<R: Real, const N: usize>(fall: R, body: &Body<R, N>, energy: &Energy<R>) -> bool {
-    let hold = &body.hold;
-    let cost = hold.turn * body.gap.turn.norm_sq() + hold.shift * body.gap.shift.norm_sq();
-    fall < cost * R::of(0.1) || fall < energy.total(body.mu).magnitude() * R::of(16.0 * R::EPSILON)
-}
-
-/// Moves the multipliers, and where the gap did not shrink well, raises the penalties.
-fn tighten<R: Real, const N: usize>(body: &mut Body<R, N>, gap: R, before: R) -> R {
-    body.hold.update(&body.gap);
-    let most = body.strip.stiff * R::of(MOST_PENALTY);
-    if gap > before * R::of(0.1) && body.hold.turn < most {
-        stiffen(body);
-    }
-    gap
-}
-
-fn stiffen<R: Real, const N: usize>(body: &mut Body<R, N>) {
-    body.hold.turn = body.hold.turn * R::of(10.0);
-    body.hold.shift = body.hold.shift * R::of(10.0);
-}
-
-/// Closes a loop that is still open when the iterations are used up.
-fn close<R: Real, const N: usize>(
-    body: &mut Body<R, N>,
-    ask: &Ask<R>,
-    loads: &impl Loads<R>,
-    settings: &Settings,
-    report: &mut Report<R>,
-) -> (Energy<R>, R) {
-    let length = body.strip.length();
-    body.place(R::ZERO);
-    body.reconstruct();
-    let mut joined = body.gap.size(length);
-    for _ in 0..CLOSINGS {
-        report.factorisations += 1;
-        if joined <= R::of(settings.closure) || body.factor_joint().is_none() {
-            break;
-        }
-        report.iterations += 1;
-        let _ = body.solve(true);
-        let mut share = R::one();
-        for _ in 0..settings.trials {
-            body.place(share);
-            body.reconstruct();
-            let gap = body.gap.size(length);
-            if gap < joined * R::of(0.9) && body.inside() {
-                joined = gap;
-                accept(body);
-                break;
-            }
-            share = share * R::of(0.5);
-        }
-    }
-    body.place(R::ZERO);
-    (body.evaluate(ask, loads), joined)
-}
-
-/// Lowers the barrier once its problem is nearly solved.
-fn lower<R: Real, const N: usize>(body: &mut Body<R, N>, floor: R, fall: R) {
-    if fall < body.mu * R::of(30.0 * body.strip.n as f64) {
-        relax(body, floor);
-    }
-}
-
-fn relax<R: Real, const N: usize>(body: &mut Body<R, N>, floor: R) -> bool {
-    let more = body.mu > floor;
-    body.mu = (body.mu * R::of(0.1)).larger(floor);
-    more
-}
-
-/// Halves the share until the merit falls.
-fn search<R: Real, const N: usize>(
-    body: &mut Body<R, N>,
-    ask: &Ask<R>,
-    loads: &impl Loads<R>,
-    settings: &Settings,
-    energy: Energy<R>,
-    [fall, longest, opened]: [R; 3],
-    report: &mut Report<R>,
-) -> Option<(Energy<R>, R)> {
-    let length = body.strip.length();
-    let widest = opened.larger(R::of(WIDEST));
-    let before = energy.total(body.mu);
-    let slack = before.magnitude() * R::of(8.0 * R::EPSILON);
-    let mut share = longest;
-    for _ in 0..settings.trials {
-        body.place(share);
-        let trial = body.evaluate(ask, loads);
-        report.trials += 1;
-        let open = body.gap.size(length) > widest;
-        if !open && trial.total(body.mu) <= before - fall * share * R::of(ARMIJO) + slack {
-            return Some((trial, share));
-        }
-        share = share * R::of(0.5);
-    }
-    None
 }
 
 /// Duals follow, then the point is kept.

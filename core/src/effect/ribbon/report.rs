@@ -17,8 +17,6 @@ pub struct Settings {
     pub shifts: u32,
     /// Last barrier parameter, as a share of the crease stiffness.
     pub barrier: f64,
-    /// Tuning.
-    pub tune: [f64; 5],
 }
 
 impl Settings {
@@ -30,7 +28,6 @@ impl Settings {
         trials: 12,
         shifts: 24,
         barrier: 1e-9,
-        tune: [1.0, 30000.0, 0.7, 1e-5, 0.1],
     };
     /// For rest shapes, and as an oracle.
     pub const EXACT: Self = Self {
@@ -40,7 +37,6 @@ impl Settings {
         trials: 20,
         shifts: 24,
         barrier: 1e-13,
-        tune: [1.0, 30000.0, 0.7, 1e-5, 0.1],
     };
 }
 

@@ -103,21 +103,27 @@ impl<R: Real, const N: usize> Table<R, N> {
         let k = self.knot(j);
         if rim == 0 { (k.s[0], k.y[0]) } else { (k.s[1], k.y[1]) }
     }
-    /// The slope at a knot of the parabola through it and its neighbours; at an end, of the chord.
-    fn slope(&self, j: usize, rim: usize) -> V3<R> {
-        let chord = |i: usize| {
-            let ((s0, y0), (s1, y1)) = (self.on(i, rim), self.on(i + 1, rim));
-            (s1 - s0, (y1 - y0) * (R::one() / (s1 - s0)))
-        };
-        if j == 0 {
-            return chord(0).1;
-        }
-        let (before, low) = chord(j - 1);
-        if j >= self.n {
-            return low;
-        }
-        let (after, high) = chord(j);
+    /// The chord after a knot: its length in the flat ribbon, and its slope.
+    fn chord(&self, i: usize, rim: usize) -> (R, V3<R>) {
+        let ((s0, y0), (s1, y1)) = (self.on(i, rim), self.on(i + 1, rim));
+        (s1 - s0, (y1 - y0) * (R::one() / (s1 - s0)))
+    }
+    /// The slope at an inner knot of the parabola through it and its neighbours.
+    fn inner_slope(&self, j: usize, rim: usize) -> V3<R> {
+        let ((before, low), (after, high)) =
+            (self.chord(j.saturating_sub(1), rim), self.chord(j, rim));
         (low * after + high * before) * (R::one() / (before + after))
+    }
+    /// The slope at any knot: at an end that of its neighbour's parabola, on which slopes have the chord's for their mean.
+    fn slope(&self, j: usize, rim: usize) -> V3<R> {
+        let two = R::of(2.0);
+        if j == 0 {
+            self.chord(0, rim).1 * two - self.inner_slope(1, rim)
+        } else if j >= self.n {
+            self.chord(j - 1, rim).1 * two - self.inner_slope(j - 1, rim)
+        } else {
+            self.inner_slope(j, rim)
+        }
     }
     /// The knot at or before `s`, sought from `from` outwards.
     fn cell(&self, rim: usize, s: R, from: usize) -> usize {

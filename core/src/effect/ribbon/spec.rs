@@ -97,7 +97,7 @@ impl Default for RibbonSpec {
             segments: 50,
             rigidity_nm: 2.7e-4,
             areal_mass_gsm: 100.0,
-            regularisation: 4e-2,
+            regularisation: 4e-3,
             damping_per_s: 0.0,
             bending: Bending::default(),
             mass: Mass::default(),

@@ -36,11 +36,11 @@ impl<R: Real, const N: usize> Body<R, N> {
     /// # Cost
     ///
     /// Some 1,500 operations a segment.
-    pub fn factor(&mut self, ask: &Ask<R>, loads: &impl Loads<R>, shift: [R; 2]) -> Option<R> {
+    pub fn factor(&mut self, ask: &Ask<R>, loads: &impl Loads<R>, shift: R) -> Option<R> {
         let Self { strip, stages, end, motion, mu, hold, gap, .. } = self;
         let looped = strip.closure != super::spec::Closure::Open;
         let drift = looped && strip.free;
-        let shift_unit = shift.map(|s| strip.stiff * R::of(2.0) * s);
+        let shift_unit = strip.stiff * R::of(2.0) * shift;
         let (mut value, mut beyond, mut fall) = (Value::ZERO, [R::ZERO; 6], R::ZERO);
         if looped {
             let [at_end, at_start] = hold.gradient(gap);
@@ -72,7 +72,7 @@ impl<R: Real, const N: usize> Body<R, N> {
             others[0] = pull.gradient;
             let cell = Self::cell(s, (&next.pair, &next.want, next.crease.c));
             let m = model(strip, motion, &cell, &others, ask.guide(j));
-            let bent = bending::derivatives(strip, j == 0, s.crease, next.crease);
+            let bent = bending::derivatives(strip, j, s.crease, next.crease);
             let w = wall(cell.spread, strip.limit, *mu, s.dual);
             if next.inner {
                 let axes = next_axes(s, &next, strip.cell);
@@ -80,8 +80,8 @@ impl<R: Real, const N: usize> Body<R, N> {
                 tie.g[1] += w.slope;
                 tie.h[2] += w.curve;
                 tie.u[1][1] -= w.curve;
-                tie.h[0] += shift_unit[0];
-                tie.h[2] += shift_unit[1];
+                tie.h[0] += shift_unit;
+                tie.h[2] += shift_unit;
                 tie.drift = drift;
                 s.gain = value.eliminate(&axes, &tie, &mut fall)?;
             }
@@ -102,7 +102,7 @@ impl<R: Real, const N: usize> Body<R, N> {
             value,
             next.turn,
             &beyond,
-            [shift_unit[0], R::of(if drift { 1.0 } else { 0.0 })],
+            [shift_unit, R::of(if drift { 1.0 } else { 0.0 })],
             fall,
         )
     }
@@ -310,7 +310,7 @@ impl<R: Real, const N: usize> Body<R, N> {
             others[0] = pull.gradient;
             let cell = Self::cell(s, (&next.0, &next.1, next.2.c));
             let m = model(strip, &self.motion, &cell, &others, ask.guide(j));
-            let bent = bending::derivatives(strip, j == 0, s.crease, next.2);
+            let bent = bending::derivatives(strip, j, s.crease, next.2);
             let w = wall(cell.spread, strip.limit, self.mu, s.dual);
             if j + 1 < strip.n {
                 take(j + 1, [carried[0] + bent.g[2], carried[1] + bent.g[3] + m.c[1] + w.slope]);
