@@ -49,7 +49,7 @@ fn a_turn_and_its_logarithm_undo_each_other() {
         let [x, y, z] = w.0;
         let [found, way] = from.moved(&[x, y, z, 0.0, 0.0, 0.0]).apart(&from);
         let gap = (found - w).norm().min((found + w).norm());
-        let (gap, way) = (if size > 3.14 { gap } else { (found - w).norm() }, way.norm());
+        let (gap, way) = (if size > PI - 1e-6 { gap } else { (found - w).norm() }, way.norm());
         assert!(gap < 1e-7 && way < 1e-15, "{size}: {found:?} is not {w:?}");
     }
 }
@@ -128,11 +128,10 @@ fn a_cells_mass_is_its_areas_and_positive() {
             let matrix: Vec<[f64; 4]> = (0..4).map(column).collect();
             let sum: f64 = matrix.iter().flatten().sum();
             assert!((sum / area - 1.0).abs() < 1e-14, "all sixteen entries are the mass");
-            for i in 0..4 {
-                assert!(matrix[i][i] > 0.0, "positive");
-                for k in 0..4 {
-                    assert!((matrix[i][k] - matrix[k][i]).abs() < 1e-18, "symmetric");
-                }
+            for (i, row) in matrix.iter().enumerate() {
+                assert!(row[i] > 0.0, "positive");
+                let mirrored = matrix.iter().map(|column| column[i]);
+                assert!(row.iter().zip(mirrored).all(|(a, b)| (a - b).abs() < 1e-18), "symmetric");
             }
         }
     }

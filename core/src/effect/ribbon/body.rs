@@ -221,7 +221,8 @@ impl<R: Real, const N: usize> Body<R, N> {
     }
     /// Reads what the vertices aim at.
     fn aim(&mut self) {
-        if !(self.motion.kappa > R::ZERO) {
+        let moving = self.motion.kappa > R::ZERO;
+        if !moving {
             return;
         }
         let (strip, n) = (self.strip, self.strip.n);
@@ -247,7 +248,7 @@ impl<R: Real, const N: usize> Body<R, N> {
         self.reconstruct();
         self.aim();
         let (mut energy, mut logs) = (Energy::default(), Logs::none());
-        let mut outside = false;
+        let (mut inside, brim) = (true, R::of(64.0 * R::EPSILON));
         let mut stages = self.used().iter().enumerate().peekable();
         while let Some((j, s)) = stages.next() {
             let (pair, want, crease) = match stages.peek() {
@@ -261,12 +262,12 @@ impl<R: Real, const N: usize> Body<R, N> {
                 + ask.energy(j, &s.pair)
                 + ask.guided(j, s.frame.n);
             let room = room(cell.spread, self.strip.limit);
-            outside |= !(room > R::of(64.0 * R::EPSILON));
+            inside &= room > brim;
             logs.take(room);
         }
         let (n, pair) = (self.strip.n, &self.end.pair);
         energy.objective += loads.energy(n, pair) + ask.energy(n, pair);
-        energy.wall = if outside { R::of(f64::INFINITY) } else { -logs.sum() };
+        energy.wall = if inside { -logs.sum() } else { R::of(f64::INFINITY) };
         if self.looped() {
             energy.joint = self.hold.energy(&self.gap);
         }

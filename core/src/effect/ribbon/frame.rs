@@ -34,11 +34,7 @@ pub fn halves<R: Real>(s: &Six<R>) -> [V3<R>; 2] {
 /// Inner product of six.
 #[inline(always)]
 pub fn dot6<R: Real>(x: &Six<R>, y: &Six<R>) -> R {
-    let (mut sum, mut pairs) = (R::ZERO, x.iter().zip(y));
-    while let Some((&x, &y)) = pairs.next() {
-        sum += x * y;
-    }
-    sum
+    x.iter().zip(y).fold(R::ZERO, |sum, (&x, &y)| sum + x * y)
 }
 
 impl<R: Real> Frame<R> {
@@ -119,10 +115,8 @@ fn rotation_vector<R: Real>(from: &[V3<R>; 3], to: &[V3<R>; 3]) -> V3<R> {
     };
     let (real, v) = (row[0], V3([row[1], row[2], row[3]]));
     let (size, v) = (v.norm(), if real < R::ZERO { -v } else { v });
-    if !(size > R::ZERO) {
-        return V3([R::ZERO; 3]);
-    }
-    v * (R::of(2.0) * angle(size, real.magnitude()) / size)
+    let turned = size > R::ZERO;
+    if turned { v * (R::of(2.0) * angle(size, real.magnitude()) / size) } else { V3([R::ZERO; 3]) }
 }
 
 /// What a rotation vector's logarithm adds to a small turn before it: `x → J_l⁻¹(w) x`, or its transpose.

@@ -102,6 +102,14 @@ impl<R: Real> CellMass<R> {
         let (r, s) = (x[2] * a + x[3] * e, x[2] * e + x[3] * b);
         [p + r * m, q + s * m, r + p * m, s + q * m]
     }
+    /// `M` times vectors at one crease alone: at that crease, then at the other.
+    #[inline(always)]
+    fn times_pair(&self, spread: R, x: V3<R>, y: V3<R>) -> [Pair<R>; 2] {
+        let (grow, e, m) = (self.grow * spread, self.cross, self.along);
+        let p = x * (self.even - grow) + y * e;
+        let q = x * e + y * (self.even + grow);
+        [[p, q], [p * m, q * m]]
+    }
     /// `dM/dΔc x`.
     #[inline(always)]
     pub fn grown(&self, x: &Four<V3<R>>) -> Four<V3<R>> {
@@ -216,9 +224,11 @@ fn sliding<R: Real>(
     slide: &Four<V3<R>>,
     kappa: R,
 ) {
-    let (t, h, o) = (cell.frame.t, strip.half, V3([R::ZERO; 3]));
-    let first = strip.mass.times(cell.spread, &[slide[0], slide[1], o, o]).map(|v| v * kappa);
-    let second = strip.mass.times(cell.spread, &[o, o, slide[2], slide[3]]).map(|v| v * kappa);
+    let (t, h) = (cell.frame.t, strip.half);
+    let mass = |a: V3<R>, b: V3<R>| strip.mass.times_pair(cell.spread, a * kappa, b * kappa);
+    let ([[a, b], [c, d]], [[e, f], [g2, h2]]) =
+        (mass(slide[0], slide[1]), mass(slide[2], slide[3]));
+    let (first, second) = ([a, b, c, d], [g2, h2, e, f]);
     let couple = |m: &Four<V3<R>>, f: &Four<V3<R>>, a: V3<R>, b: V3<R>| {
         let sum = [m[0] + f[0], m[1] + f[1], m[2] + f[2], m[3] + f[3]];
         let [x, y, z, p, q, r] = wrench(&cell.x, &sum);

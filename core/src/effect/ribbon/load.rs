@@ -116,9 +116,9 @@ impl<R: Real> Loads<R> for Ask<R> {
             let at = if s.rim == 0 { pair[0] } else { pair[1] };
             let force = (at - s.target) * s.stiffness;
             if s.rim == 0 {
-                pull.push(force, none)
+                pull.push(force, none);
             } else {
-                pull.push(none, force)
+                pull.push(none, force);
             }
             for i in 0..3 {
                 let mut axis = none;

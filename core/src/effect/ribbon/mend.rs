@@ -41,13 +41,13 @@ impl<R: Real, const N: usize> Body<R, N> {
             if let Some(turn) = next {
                 let p = s.frame.p + s.frame.t * cell;
                 let axes = turn.axes(&s.frame).map(|a| about(a, p));
-                s.gain = value.eliminate(&axes, &tie([true; 2]), &mut fall)?;
+                value.eliminate(&axes, &tie([true; 2]), &mut fall, &mut s.gain)?;
             }
             next = Some(s.turn);
         }
         let axes = next?.axes(&self.base).map(|a| about(a, self.base.p));
         let hinged = self.strip.hinge > o;
-        self.root_gain = value.eliminate(&axes, &tie([hinged, false]), &mut fall)?;
+        value.eliminate(&axes, &tie([hinged, false]), &mut fall, &mut self.root_gain)?;
         self.base_step = [o; 6];
         Some(fall)
     }

@@ -13,6 +13,7 @@
 //! | `inertia`, `bending`, `load`, `barrier`, `closure` | one energy each: value and derivatives |
 //! | `body` | the ribbon while it is solved for |
 //! | `riccati`, `sweep`, `mend` | the linear solve; that of a loop's joint alone |
+//! | `adjoint` | the gradient alone, for oracles |
 //! | `newton`, `report` | the method, its limits and its answer |
 //! | `life` | [`Ribbon`]: what a caller holds |
 //!
@@ -32,6 +33,7 @@ pub mod closure;
 pub mod riccati;
 pub mod body;
 pub mod sweep;
+pub mod adjoint;
 pub mod mend;
 pub mod report;
 pub mod newton;

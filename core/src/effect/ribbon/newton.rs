@@ -111,7 +111,7 @@ impl<R: Real> Solver<R> {
     }
 
     fn shrink(&mut self, factor: f64) {
-        self.shift = self.shift * R::of(factor);
+        self.shift *= R::of(factor);
         if self.shift < R::of(LEAST_SHIFT) {
             self.shift = R::ZERO;
         }
@@ -199,12 +199,12 @@ impl<'a, R: Real, L: Loads<R>, const N: usize> Run<'a, R, L, N> {
         let mut share = to.longest;
         for _ in 0..self.settings.trials {
             let trial = self.evaluate(share);
-            let closed = !(self.body.gap.size(length) > widest);
+            let closed = !self.body.looped() || self.body.gap.size(length) <= widest;
             let enough = before - to.fall * share * R::of(ARMIJO) + slack;
             if closed && trial.total(self.body.mu) <= enough {
                 return Some((trial, share));
             }
-            share = share * R::of(0.5);
+            share *= R::of(0.5);
         }
         None
     }
@@ -321,7 +321,7 @@ impl<'a, R: Real, L: Loads<R>, const N: usize> Run<'a, R, L, N> {
                     accept(self.body);
                     break;
                 }
-                share = share * R::of(0.5);
+                share *= R::of(0.5);
             }
         }
         self.energy = self.evaluate(R::ZERO);

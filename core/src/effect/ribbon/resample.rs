@@ -131,7 +131,7 @@ impl<R: Real, const N: usize> Table<R, N> {
         for _ in 0..self.n {
             if i > 0 && s < self.on(i, rim).0 {
                 i -= 1;
-            } else if i + 1 < self.n && !(s < self.on(i + 1, rim).0) {
+            } else if i + 1 < self.n && s >= self.on(i + 1, rim).0 {
                 i += 1;
             } else {
                 break;

@@ -67,6 +67,15 @@ pub struct Tie<R> {
     pub drift: bool,
 }
 
+/// A crease's rows of the model: by itself, their right-hand sides, by `ξ`, by the crease before, by `d`.
+struct Rows<R> {
+    h: [R; 3],
+    g: [R; 2],
+    x: [Six<R>; 2],
+    u: [[R; 2]; 2],
+    d: [Six<R>; 2],
+}
+
 impl<R: Real> Gain<R> {
     /// No rule.
     pub const ZERO: Self = Self {
@@ -153,92 +162,98 @@ impl<R: Real> Value<R> {
         d: [R::ZERO; 6],
     };
 
-    /// Eliminates a crease: from the value by the segment beyond it to the value by the one before it. Adds to
-    /// `fall` how much the model falls to first order; `None` where the model has no minimum.
+    /// Eliminates a crease: from the value by the segment beyond it to the value by the one before it, and the rule for
+    /// its step. Adds to `fall` how much the model falls to first order; `None` where the model has no minimum.
     ///
     /// # Cost
     ///
     /// About 500 multiply-adds, with `d` 1,100.
     #[inline]
-    pub fn eliminate(&mut self, axes: &[Six<R>; 2], tie: &Tie<R>, fall: &mut R) -> Option<Gain<R>> {
-        let (two, o) = (R::of(2.0), R::ZERO);
-        let [sp, sc] = axes;
-        let [mp, mc] = [times(&self.xx, sp), times(&self.xx, sc)];
-        let [xp, xc] = self.xu;
-        let mut h = [
-            dot6(sp, &mp) + two * dot6(sp, &xp) + self.uu[0] + tie.h[0],
-            dot6(sp, &mc) + dot6(sp, &xc) + dot6(sc, &xp) + self.uu[1] + tie.h[1],
-            dot6(sc, &mc) + two * dot6(sc, &xc) + self.uu[2] + tie.h[2],
-        ];
-        let mut g =
-            [dot6(sp, &self.x) + self.u[0] + tie.g[0], dot6(sc, &self.x) + self.u[1] + tie.g[1]];
-        let mut rows = [mp, mc];
-        let mut near = tie.u;
-        let mut far = self.ud;
-        for i in 0..2 {
-            add(&mut rows[i], &self.xu[i], R::one());
-            add(&mut rows[i], &tie.x[i], R::one());
-            if tie.drift {
-                add(&mut far[i], &tie.x[i], R::one());
-                add(&mut far[i], &times(&self.xd, &axes[i]), R::one());
-            }
-            if !tie.free[i] {
-                (g[i], near[i]) = (o, [o; 2]);
-                (rows[i], far[i]) = ([o; 6], [o; 6]);
-                (h[1], h[2 * i]) = (o, R::one());
-            }
-        }
-        let inverse = inverse(h)?;
+    pub fn eliminate(
+        &mut self,
+        axes: &[Six<R>; 2],
+        tie: &Tie<R>,
+        fall: &mut R,
+        gain: &mut Gain<R>,
+    ) -> Option<()> {
+        let row = self.rows(axes, tie);
+        let inverse = inverse(row.h)?;
         let solve = |a: R, b: R| [inverse[0] * a + inverse[1] * b, inverse[1] * a + inverse[2] * b];
-        let pair = |a: &Six<R>, b: &Six<R>| {
-            let mut out = [[o; 6]; 2];
-            for i in 0..6 {
-                [out[0][i], out[1][i]] = solve(a[i], b[i]);
-            }
-            out
-        };
-        let k = solve(g[0], g[1]);
-        let x = pair(&rows[0], &rows[1]);
-        let columns = [solve(near[0][0], near[1][0]), solve(near[0][1], near[1][1])];
-        let u = [[columns[0][0], columns[1][0]], [columns[0][1], columns[1][1]]];
-        *fall += g[0] * k[0] + g[1] * k[1];
-        let mut gain = Gain { k, x, u, d: [[o; 6]; 2], axes: *axes, lean: inverse[1] / inverse[2] };
-        if tie.drift {
-            gain.d = pair(&far[0], &far[1]);
-            self.eliminate_drift(&rows, &near, &far, &gain, g);
-        }
-        let (kx, both) = ([&gain.x[0], &gain.x[1]], [&rows[0], &rows[1]]);
-        take(&mut self.xx, both, kx);
+        gain.k = solve(row.g[0], row.g[1]);
+        *fall += row.g[0] * gain.k[0] + row.g[1] * gain.k[1];
+        (gain.axes, gain.lean) = (*axes, inverse[1] / inverse[2]);
         for i in 0..6 {
-            self.x[i] -= rows[0][i] * k[0] + rows[1][i] * k[1];
+            [gain.x[0][i], gain.x[1][i]] = solve(row.x[0][i], row.x[1][i]);
         }
-        // What the crease before sees: its own terms come with its segment.
         for s in 0..2 {
-            for i in 0..6 {
-                self.xu[s][i] = -(x[0][i] * near[0][s] + x[1][i] * near[1][s]);
-            }
-            self.u[s] = -(near[0][s] * k[0] + near[1][s] * k[1]);
+            [gain.u[0][s], gain.u[1][s]] = solve(row.u[0][s], row.u[1][s]);
         }
-        let cross = |s: usize, t: usize| -(near[0][s] * u[0][t] + near[1][s] * u[1][t]);
-        self.uu = [cross(0, 0), cross(0, 1), cross(1, 1)];
-        Some(gain)
+        if tie.drift {
+            for i in 0..6 {
+                [gain.d[0][i], gain.d[1][i]] = solve(row.d[0][i], row.d[1][i]);
+            }
+            self.reduce_drift(&row, gain);
+        }
+        self.reduce(&row, gain);
+        Some(())
     }
 
-    fn eliminate_drift(
-        &mut self,
-        rows: &[Six<R>; 2],
-        near: &[[R; 2]; 2],
-        far: &[Six<R>; 2],
-        gain: &Gain<R>,
-        _g: [R; 2],
-    ) {
-        let kd = [&gain.d[0], &gain.d[1]];
-        take(&mut self.xd, [&rows[0], &rows[1]], kd);
-        take(&mut self.dd, [&far[0], &far[1]], kd);
+    /// The crease's two rows of the model, the dynamics put in.
+    #[inline(always)]
+    fn rows(&self, axes: &[Six<R>; 2], tie: &Tie<R>) -> Rows<R> {
+        let (two, o) = (R::of(2.0), R::ZERO);
+        let ([sp, sc], [xp, xc]) = (axes, &self.xu);
+        let [mp, mc] = [times(&self.xx, sp), times(&self.xx, sc)];
+        let mut row = Rows {
+            h: [
+                dot6(sp, &mp) + two * dot6(sp, xp) + self.uu[0] + tie.h[0],
+                dot6(sp, &mc) + dot6(sp, xc) + dot6(sc, xp) + self.uu[1] + tie.h[1],
+                dot6(sc, &mc) + two * dot6(sc, xc) + self.uu[2] + tie.h[2],
+            ],
+            g: [dot6(sp, &self.x) + self.u[0] + tie.g[0], dot6(sc, &self.x) + self.u[1] + tie.g[1]],
+            x: [mp, mc],
+            u: tie.u,
+            d: [[o; 6]; 2],
+        };
+        for (i, axis) in axes.iter().enumerate() {
+            add(&mut row.x[i], &self.xu[i], R::one());
+            add(&mut row.x[i], &tie.x[i], R::one());
+            if tie.drift {
+                row.d[i] = times(&self.xd, axis);
+                add(&mut row.d[i], &self.ud[i], R::one());
+                add(&mut row.d[i], &tie.x[i], R::one());
+            }
+            if !tie.free[i] {
+                (row.g[i], row.u[i], row.x[i], row.d[i]) = (o, [o; 2], [o; 6], [o; 6]);
+                (row.h[1], row.h[2 * i]) = (o, R::one());
+            }
+        }
+        row
+    }
+
+    /// What is left by the state before the crease; that state's own terms come with its segment.
+    #[inline(always)]
+    fn reduce(&mut self, row: &Rows<R>, gain: &Gain<R>) {
+        take(&mut self.xx, [&row.x[0], &row.x[1]], [&gain.x[0], &gain.x[1]]);
         for i in 0..6 {
-            self.d[i] -= far[0][i] * gain.k[0] + far[1][i] * gain.k[1];
+            self.x[i] -= row.x[0][i] * gain.k[0] + row.x[1][i] * gain.k[1];
             for s in 0..2 {
-                self.ud[s][i] = -(near[0][s] * gain.d[0][i] + near[1][s] * gain.d[1][i]);
+                self.xu[s][i] = -(gain.x[0][i] * row.u[0][s] + gain.x[1][i] * row.u[1][s]);
+            }
+        }
+        let cross = |s: usize, t: usize| -(row.u[0][s] * gain.u[0][t] + row.u[1][s] * gain.u[1][t]);
+        self.uu = [cross(0, 0), cross(0, 1), cross(1, 1)];
+        self.u = [0, 1].map(|s: usize| -(row.u[0][s] * gain.k[0] + row.u[1][s] * gain.k[1]));
+    }
+
+    fn reduce_drift(&mut self, row: &Rows<R>, gain: &Gain<R>) {
+        let kd = [&gain.d[0], &gain.d[1]];
+        take(&mut self.xd, [&row.x[0], &row.x[1]], kd);
+        take(&mut self.dd, [&row.d[0], &row.d[1]], kd);
+        for i in 0..6 {
+            self.d[i] -= row.d[0][i] * gain.k[0] + row.d[1][i] * gain.k[1];
+            for s in 0..2 {
+                self.ud[s][i] = -(row.u[0][s] * gain.d[0][i] + row.u[1][s] * gain.d[1][i]);
             }
         }
     }
@@ -246,12 +261,9 @@ impl<R: Real> Value<R> {
 
 /// The inverse of a positive definite 2x2 matrix, or nothing.
 fn inverse<R: Real>([a, b, c]: [R; 3]) -> Option<[R; 3]> {
-    let tiny = R::of(8.0 * R::EPSILON);
-    if !(a > R::ZERO && c > R::ZERO) {
-        return None;
-    }
     let rest = c - b * b / a;
-    if !(rest > tiny * c) {
+    let positive = a > R::ZERO && c > R::ZERO && rest > c * R::of(8.0 * R::EPSILON);
+    if !positive {
         return None;
     }
     let r = R::one() / rest;

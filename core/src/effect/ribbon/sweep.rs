@@ -6,9 +6,9 @@
 //!
 //! Checked by `tests/ribbon_derivatives.rs`.
 
-use super::barrier::{bounds, longest, wall};
-use super::bending;
-use super::body::{Body, Stage};
+use super::barrier::{Wall, bounds, longest, wall};
+use super::bending::{self, Bent};
+use super::body::{Body, End, Stage};
 use super::frame::{Six, dot6, halves, six};
 use super::inertia::{Model, model};
 use super::joint::{Crease, Turn, about};
@@ -20,13 +20,55 @@ use nalgebra::{SMatrix, SVector};
 
 /// What a segment is followed by.
 #[derive(Clone, Copy)]
-struct Next<R> {
-    pair: Pair<R>,
-    want: [Sample<R>; 2],
+struct Next<'a, R> {
+    pair: &'a Pair<R>,
+    want: &'a [Sample<R>; 2],
     crease: Crease<R>,
-    turn: Turn<R>,
-    /// There is a crease, not the end.
-    inner: bool,
+    /// The turn there, unless it is the end.
+    turn: Option<&'a Turn<R>>,
+    /// What pulls at the end, where it is.
+    pulled: Pair<R>,
+}
+
+impl<'a, R: Real> Next<'a, R> {
+    const NONE: Pair<R> = [V3([R::ZERO; 3]); 2];
+
+    fn end(end: &'a End<R>, pulled: Pair<R>) -> Self {
+        Self { pair: &end.pair, want: &end.want, crease: Crease::default(), turn: None, pulled }
+    }
+    fn crease(s: &'a Stage<R>) -> Self {
+        Self {
+            pair: &s.pair,
+            want: &s.want,
+            crease: s.crease,
+            turn: Some(&s.turn),
+            pulled: Self::NONE,
+        }
+    }
+}
+
+/// What the backward sweep carries along.
+struct Carried<R> {
+    value: Value<R>,
+    /// Gradient by the twist of everything beyond.
+    beyond: Six<R>,
+    fall: R,
+    /// What a shift adds to a crease's diagonal.
+    shift: R,
+    /// The start moves too, and the end with it.
+    drift: bool,
+}
+
+pub(super) fn pulls<R: Real>(
+    ask: &Ask<R>,
+    loads: &impl Loads<R>,
+    crease: usize,
+    pair: &Pair<R>,
+) -> Pull<R> {
+    let mut pull = Pull::none();
+    ask.pull(crease, pair, &mut pull);
+    loads.pull(crease, pair, &mut pull);
+    pull
 }
 
 impl<R: Real, const N: usize> Body<R, N> {
@@ -37,99 +79,63 @@ impl<R: Real, const N: usize> Body<R, N> {
     ///
     /// Some 1,500 operations a segment.
     pub fn factor(&mut self, ask: &Ask<R>, loads: &impl Loads<R>, shift: R) -> Option<R> {
-        let Self { strip, stages, end, motion, mu, hold, gap, .. } = self;
-        let looped = strip.closure != super::spec::Closure::Open;
-        let drift = looped && strip.free;
-        let shift_unit = strip.stiff * R::of(2.0) * shift;
-        let (mut value, mut beyond, mut fall) = (Value::ZERO, [R::ZERO; 6], R::ZERO);
-        if looped {
-            let [at_end, at_start] = hold.gradient(gap);
-            beyond = at_end;
-            value.x = at_end;
-            value.xx = hold.hessian(gap);
+        let mut carried = self.carried(shift);
+        let Self { strip, stages, end, motion, mu, .. } = self;
+        let pull = pulls(ask, loads, strip.n, &end.pair);
+        curve(&mut carried.value, &pull, &end.pair, V3([R::ZERO; 3]), carried.drift);
+        let mut next = Next::end(end, pull.gradient);
+        for (j, s) in stages.iter_mut().take(strip.n).enumerate().rev() {
+            let pull = pulls(ask, loads, j, &s.pair);
+            let cell = Self::cell(s, (next.pair, next.want, next.crease.c));
+            let spread = cell.spread;
+            let m = model(strip, motion, &cell, &[pull.gradient, next.pulled], ask.guide(j));
+            let bent = bending::derivatives(strip, j, s.crease, next.crease);
+            let w = wall(spread, strip.limit, *mu, s.dual);
+            if let Some(turn) = next.turn {
+                carried.cross(s, turn, &m, &bent, &w, strip.cell)?;
+            }
+            carried.own(&m, &bent, &w);
+            curve(&mut carried.value, &pull, &s.pair, s.frame.t * strip.half, carried.drift);
+            next = Next::crease(s);
+        }
+        let turn = next.turn.copied().unwrap_or(Turn::NONE);
+        self.factor_start(&mut carried, turn)
+    }
+
+    /// What lies beyond the last segment: nothing, or a loop's joint.
+    fn carried(&self, shift: R) -> Carried<R> {
+        let (mut value, mut beyond) = (Value::ZERO, [R::ZERO; 6]);
+        if self.looped() {
+            let [at_end, at_start] = self.hold.gradient(&self.gap);
+            (beyond, value.x, value.xx) = (at_end, at_end, self.hold.hessian(&self.gap));
             for (d, (&e, &s)) in value.d.iter_mut().zip(at_end.iter().zip(&at_start)) {
                 *d = e + s;
             }
         }
-        let mut others = [[V3([R::ZERO; 3]); 2]; 2];
-        let mut last = Pull::none();
-        ask.pull(strip.n, &end.pair, &mut last);
-        loads.pull(strip.n, &end.pair, &mut last);
-        others[1] = last.gradient;
-        let mut pulled_end = Some(last);
-        let mut next = Next {
-            pair: end.pair,
-            want: end.want,
-            crease: Crease::default(),
-            turn: Turn::NONE,
-            inner: false,
-        };
-        let n = strip.n;
-        for (j, s) in stages.iter_mut().take(n).enumerate().rev() {
-            let mut pull = Pull::none();
-            ask.pull(j, &s.pair, &mut pull);
-            loads.pull(j, &s.pair, &mut pull);
-            others[0] = pull.gradient;
-            let cell = Self::cell(s, (&next.pair, &next.want, next.crease.c));
-            let m = model(strip, motion, &cell, &others, ask.guide(j));
-            let bent = bending::derivatives(strip, j, s.crease, next.crease);
-            let w = wall(cell.spread, strip.limit, *mu, s.dual);
-            if next.inner {
-                let axes = next_axes(s, &next, strip.cell);
-                let mut tie = tie(&m, &bent, &next, s, &beyond, &axes, strip.cell);
-                tie.g[1] += w.slope;
-                tie.h[2] += w.curve;
-                tie.u[1][1] -= w.curve;
-                tie.h[0] += shift_unit;
-                tie.h[2] += shift_unit;
-                tie.drift = drift;
-                s.gain = value.eliminate(&axes, &tie, &mut fall)?;
-            }
-            own(&mut value, &m, &bent, drift);
-            value.u[1] -= w.slope;
-            value.uu[2] += w.curve;
-            curve(&mut value, &pull, &s.pair, s.frame.t * strip.half, drift);
-            if let Some(last) = pulled_end.take() {
-                curve(&mut value, &last, &end.pair, V3([R::ZERO; 3]), drift);
-            }
-            for (b, &x) in beyond.iter_mut().zip(&m.x) {
-                *b += x;
-            }
-            others[1] = [V3([R::ZERO; 3]); 2];
-            next = Next { pair: s.pair, want: s.want, crease: s.crease, turn: s.turn, inner: true };
-        }
-        self.factor_start(
+        Carried {
             value,
-            next.turn,
-            &beyond,
-            [shift_unit, R::of(if drift { 1.0 } else { 0.0 })],
-            fall,
-        )
+            beyond,
+            fall: R::ZERO,
+            shift: self.strip.stiff * R::of(2.0) * shift,
+            drift: self.looped() && self.strip.free,
+        }
     }
 
     /// The hinge at the start, then the start itself.
-    fn factor_start(
-        &mut self,
-        mut value: Value<R>,
-        turn: Turn<R>,
-        beyond: &Six<R>,
-        [shift, drift]: [R; 2],
-        mut fall: R,
-    ) -> Option<R> {
-        let drift = drift > R::ZERO;
-        let hinged = self.strip.hinge > R::ZERO;
-        let axis = turn.axes(&self.base);
-        let axes = [about(axis[0], self.base.p), about(axis[1], self.base.p)];
+    fn factor_start(&mut self, carried: &mut Carried<R>, turn: Turn<R>) -> Option<R> {
+        let Carried { value, beyond, fall, shift, drift } = carried;
+        let (shift, drift) = (*shift, *drift);
+        let axes = turn.axes(&self.base).map(|a| about(a, self.base.p));
         let o = R::ZERO;
         let tie = Tie {
             x: [bracket(&axes[0], beyond), [o; 6]],
             u: [[o; 2]; 2],
             g: [o; 2],
             h: [shift, o, o],
-            free: [hinged, false],
+            free: [self.strip.hinge > o, false],
             drift,
         };
-        self.root_gain = value.eliminate(&axes, &tie, &mut fall)?;
+        value.eliminate(&axes, &tie, fall, &mut self.root_gain)?;
         self.base_step = [o; 6];
         if self.strip.free {
             let (m, g) = if drift { (&value.dd, &value.d) } else { (&value.xx, &value.x) };
@@ -144,9 +150,9 @@ impl<R: Real, const N: usize> Body<R, N> {
             for (s, &v) in self.base_step.iter_mut().zip(b.iter()) {
                 *s = v;
             }
-            fall -= dot6(&self.base_step, g);
+            *fall -= dot6(&self.base_step, g);
         }
-        Some(fall)
+        Some(*fall)
     }
 
     /// The step of every crease from the factor; answers the largest, the largest share of it that stays inside, and
@@ -187,12 +193,6 @@ fn base_shift<R: Real>(shift: R, row: usize, length: R) -> R {
     if row < 3 { shift } else { shift / (length * length) }
 }
 
-fn next_axes<R: Real>(s: &Stage<R>, next: &Next<R>, cell: R) -> [Six<R>; 2] {
-    let p = s.frame.p + s.frame.t * cell;
-    let [a, b] = next.turn.axes(&s.frame);
-    [about(a, p), about(b, p)]
-}
-
 /// `½ [ξ, S]·W` as a row over `ξ`.
 fn bracket<R: Real>(axis: &Six<R>, beyond: &Six<R>) -> Six<R> {
     let ([w, v], [torque, force]) = (halves(axis), halves(beyond));
@@ -200,55 +200,62 @@ fn bracket<R: Real>(axis: &Six<R>, beyond: &Six<R>) -> Six<R> {
     six((w.cross(torque) + v.cross(force)) * half, w.cross(force) * half)
 }
 
-/// What ties the next crease to this segment.
-#[inline(always)]
-fn tie<R: Real>(
-    m: &Model<R>,
-    bent: &bending::Bent<R>,
-    next: &Next<R>,
-    s: &Stage<R>,
-    beyond: &Six<R>,
-    axes: &[Six<R>; 2],
-    cell: R,
-) -> Tie<R> {
-    let p = s.frame.p + s.frame.t * cell;
-    let [mixed, bend] = next.turn.second_axes(&s.frame);
-    let [torque, force] = halves(beyond);
-    let moment = torque - p.cross(force);
-    let (b, h) = (&bent.g, &bent.h);
-    let mut x = [bracket(&axes[0], beyond), bracket(&axes[1], beyond)];
-    for (x, &m) in x[1].iter_mut().zip(&m.xc[1]) {
-        *x += m;
+impl<R: Real> Carried<R> {
+    /// Crosses the next crease: what lies beyond it becomes what lies beyond this segment.
+    #[inline(always)]
+    fn cross(
+        &mut self,
+        s: &mut Stage<R>,
+        turn: &Turn<R>,
+        m: &Model<R>,
+        bent: &Bent<R>,
+        wall: &Wall<R>,
+        cell: R,
+    ) -> Option<()> {
+        let p = s.frame.p + s.frame.t * cell;
+        let axes = turn.axes(&s.frame).map(|a| about(a, p));
+        let [mixed, bend] = turn.second_axes(&s.frame);
+        let [torque, force] = halves(&self.beyond);
+        let moment = torque - p.cross(force);
+        let (g, h) = (&bent.g, &bent.h);
+        let mut x = axes.map(|a| bracket(&a, &self.beyond));
+        for (x, &m) in x[1].iter_mut().zip(&m.xc[1]) {
+            *x += m;
+        }
+        let cc = h[3][3] + m.cc[2] + moment.dot(bend) + wall.curve + self.shift;
+        let tie = Tie {
+            x,
+            u: [[h[2][0], h[2][1]], [h[3][0], h[3][1] + m.cc[1] - wall.curve]],
+            g: [g[2], g[3] + m.c[1] + wall.slope],
+            h: [h[2][2] + self.shift, h[2][3] + moment.dot(mixed), cc],
+            free: [true; 2],
+            drift: self.drift,
+        };
+        self.value.eliminate(&axes, &tie, &mut self.fall, &mut s.gain)
     }
-    Tie {
-        x,
-        u: [[h[2][0], h[2][1]], [h[3][0], h[3][1] + m.cc[1]]],
-        g: [b[2], b[3] + m.c[1]],
-        h: [h[2][2], h[2][3] + moment.dot(mixed), h[3][3] + m.cc[2] + moment.dot(bend)],
-        free: [true; 2],
-        drift: false,
-    }
-}
 
-/// Adds a segment's own terms.
-#[inline(always)]
-fn own<R: Real>(value: &mut Value<R>, m: &Model<R>, bent: &bending::Bent<R>, drift: bool) {
-    plus(&mut value.xx, &m.xx);
-    for i in 0..6 {
-        value.x[i] += m.x[i];
-        value.xu[1][i] += m.xc[0][i];
-    }
-    value.u[0] += bent.g[0];
-    value.u[1] += bent.g[1] + m.c[0];
-    value.uu[0] += bent.h[0][0];
-    value.uu[1] += bent.h[0][1];
-    value.uu[2] += bent.h[1][1] + m.cc[0];
-    if drift {
-        plus(&mut value.xd, &m.xx);
-        plus(&mut value.dd, &m.xx);
+    /// Adds a segment's own terms.
+    #[inline(always)]
+    fn own(&mut self, m: &Model<R>, bent: &Bent<R>, wall: &Wall<R>) {
+        let value = &mut self.value;
+        plus(&mut value.xx, &m.xx);
         for i in 0..6 {
-            value.d[i] += m.x[i];
-            value.ud[1][i] += m.xc[0][i];
+            value.x[i] += m.x[i];
+            value.xu[1][i] += m.xc[0][i];
+            self.beyond[i] += m.x[i];
+        }
+        value.u[0] += bent.g[0];
+        value.u[1] += bent.g[1] + m.c[0] - wall.slope;
+        value.uu[0] += bent.h[0][0];
+        value.uu[1] += bent.h[0][1];
+        value.uu[2] += bent.h[1][1] + m.cc[0] + wall.curve;
+        if self.drift {
+            plus(&mut value.xd, &m.xx);
+            plus(&mut value.dd, &m.xx);
+            for i in 0..6 {
+                value.d[i] += m.x[i];
+                value.ud[1][i] += m.xc[0][i];
+            }
         }
     }
 }
@@ -273,61 +280,5 @@ fn curve<R: Real>(value: &mut Value<R>, pull: &Pull<R>, pair: &Pair<R>, slide: V
             }
         }
         value.uu[2] += *weight * c * c;
-    }
-}
-
-/// Gradient of everything that is minimised, by each crease and by the start's twist.
-impl<R: Real, const N: usize> Body<R, N> {
-    /// Adjoint sweep (Ribbon App. C): hands each crease's gradient to `take`, last crease first; answers the start's.
-    ///
-    /// # Cost
-    ///
-    /// That of assembling; for oracles and tests.
-    pub fn gradient(
-        &self,
-        ask: &Ask<R>,
-        loads: &impl Loads<R>,
-        mut take: impl FnMut(usize, [R; 2]),
-    ) -> Six<R> {
-        let strip = &self.strip;
-        let mut beyond = [R::ZERO; 6];
-        let mut at_start = [R::ZERO; 6];
-        if self.looped() {
-            [beyond, at_start] = self.hold.gradient(&self.gap);
-        }
-        let mut last = Pull::none();
-        ask.pull(strip.n, &self.end.pair, &mut last);
-        loads.pull(strip.n, &self.end.pair, &mut last);
-        let mut others = [[V3([R::ZERO; 3]); 2], last.gradient];
-        let mut carried = [R::ZERO; 2];
-        let mut next = (self.end.pair, self.end.want, Crease::default());
-        for (j, s) in self.used().iter().enumerate().rev() {
-            let near = j.checked_sub(1).and_then(|i| self.stages.get(i));
-            let f = near.map_or(&self.base, |s| &s.frame);
-            let mut pull = Pull::none();
-            ask.pull(j, &s.pair, &mut pull);
-            loads.pull(j, &s.pair, &mut pull);
-            others[0] = pull.gradient;
-            let cell = Self::cell(s, (&next.0, &next.1, next.2.c));
-            let m = model(strip, &self.motion, &cell, &others, ask.guide(j));
-            let bent = bending::derivatives(strip, j, s.crease, next.2);
-            let w = wall(cell.spread, strip.limit, self.mu, s.dual);
-            if j + 1 < strip.n {
-                take(j + 1, [carried[0] + bent.g[2], carried[1] + bent.g[3] + m.c[1] + w.slope]);
-            }
-            for (b, &x) in beyond.iter_mut().zip(&m.x) {
-                *b += x;
-            }
-            let step = if j == 0 { R::ZERO } else { strip.cell };
-            let [a, b] = s.turn.axes(f).map(|a| dot6(&about(a, f.p + f.t * step), &beyond));
-            carried = [a + bent.g[0], b + bent.g[1] + m.c[0] - w.slope];
-            others[1] = [V3([R::ZERO; 3]); 2];
-            next = (s.pair, s.want, s.crease);
-        }
-        take(0, carried);
-        for (b, &s) in beyond.iter_mut().zip(&at_start) {
-            *b += s;
-        }
-        beyond
     }
 }
