@@ -114,7 +114,10 @@ fn difference(mut f: impl FnMut(f64) -> f64, h: f64) -> f64 {
     (45.0 * d(1.0) - 9.0 * d(2.0) + d(3.0)) / (60.0 * h)
 }
 
-fn variants() -> Vec<(&'static str, Box<dyn Fn(&mut RibbonSpec)>)> {
+/// A change of the spec, and its name.
+type Variant = (&'static str, Box<dyn Fn(&mut RibbonSpec)>);
+
+fn variants() -> Vec<Variant> {
     vec![
         ("clamped", Box::new(|_| {})),
         ("segment", Box::new(|s| s.root = Root::Segment)),
