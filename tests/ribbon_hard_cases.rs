@@ -194,3 +194,43 @@ fn a_start_that_was_turned_many_times_turns_on() {
         check("turned", k as usize, &ribbon, &report);
     }
 }
+
+/// A pull, a twist, a rest and a step of any length, at random.
+fn disturb<R: Real, const N: usize>(ribbon: &mut Ribbon<R, N>, random: &mut Pcg) -> f64 {
+    ribbon.ask.springs.clear();
+    ribbon.ask.guides.clear();
+    let what = random.below(3);
+    if what == 0 {
+        let (crease, rim) = (1 + random.below(50), random.below(2));
+        let stiffness = R::of(10_f64.powf(random.within(0.0, 4.0)));
+        let target = V3(random.v3().0.map(R::of));
+        assert!(ribbon.ask.springs.push(Spring { crease, rim, target, stiffness }).is_ok(), "fits");
+    } else if what == 1 {
+        twist(ribbon, random.within(-6.0, 6.0), random.within(0.0, 10.0));
+    }
+    10_f64.powf(random.within(-3.0, -1.3))
+}
+
+fn soak<R: Real>(root: Root, steps: usize) {
+    let mut random = Pcg::new(11);
+    let mut ribbon = helix::<R, 50>(&RibbonSpec { root, damping_per_s: 1.0, ..spec(50) });
+    let (mut capped, mut h) = (0, 0.01);
+    for step in 0..steps {
+        if step % 10 == 0 {
+            h = disturb(&mut ribbon, &mut random);
+        }
+        let report = ribbon.step(h);
+        check("soak", step, &ribbon, &report);
+        assert_ne!(report.status, Status::Held, "{root:?}, step {step}: {report:?}");
+        capped += usize::from(report.status != Status::Converged);
+    }
+    println!("{} {root:?}: {capped} of {steps} steps did not converge", R::NAME);
+}
+
+#[test]
+fn random_pulls_and_twists() {
+    soak::<f64>(Root::Clamp, 1000);
+    soak::<f64>(Root::Free, 1000);
+    soak::<f32>(Root::Clamp, 1000);
+    soak::<f32>(Root::Free, 1000);
+}

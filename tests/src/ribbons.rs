@@ -147,8 +147,9 @@ pub fn finite<R: Real, const N: usize>(ribbon: &Ribbon<R, N>) -> bool {
     pose.flat_map(|v| v.0).all(Real::finite)
 }
 
-/// Whether a report names an end that the numbers bear out.
+/// Whether a report names an end that the numbers bear out: converged is a small step, or no fall beyond rounding.
 pub fn honest<R: Real>(report: &Report<R>, settings: &Settings) -> bool {
     let small = report.size.wide() <= settings.tolerance && report.gap.wide() <= settings.closure;
-    report.status != Status::Converged || small || report.fall.wide().abs() < 1e-9
+    let rounding = 32.0 * R::EPSILON * report.objective.wide().abs();
+    report.status != Status::Converged || small || report.fall.wide().abs() <= rounding
 }

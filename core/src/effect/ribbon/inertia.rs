@@ -125,7 +125,7 @@ impl<R: Real> CellMass<R> {
 }
 
 /// The model of a cell's inertia (or weight), of other forces on its vertices, and of a pull `lean` at its normal.
-#[inline]
+#[inline(always)]
 pub fn model<R: Real>(
     strip: &Strip<R>,
     motion: &Motion<R>,
@@ -183,6 +183,7 @@ fn wrench<R: Real>(x: &Four<V3<R>>, f: &Four<V3<R>>) -> Six<R> {
 }
 
 /// Twist by twist: `κ (tr S I - S) + sym N - tr N I`, `[κ M x - G/2]×`, `κ m I`, with `S = Σ x (Mx)ᵀ`, `N = Σ x gᵀ`.
+#[inline(always)]
 fn turning<R: Real>(
     cell: &Cell<'_, R>,
     mx: &Four<V3<R>>,
@@ -215,6 +216,7 @@ fn turning<R: Real>(
 }
 
 /// What sliding rulings add.
+#[inline(always)]
 fn sliding<R: Real>(
     strip: &Strip<R>,
     cell: &Cell<'_, R>,

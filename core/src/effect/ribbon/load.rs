@@ -9,7 +9,7 @@ pub const SPRINGS: usize = 8;
 /// Guides that one ribbon can have.
 pub const GUIDES: usize = 4;
 /// Curvature terms that one vertex pair can have.
-pub const TERMS: usize = 16;
+pub const TERMS: usize = 8;
 
 /// `k/2 |x - target|²` at one rim vertex.
 #[derive(Debug, Clone, Copy, PartialEq)]
