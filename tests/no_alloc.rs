@@ -149,3 +149,17 @@ fn the_check_can_fail() {
     let mut list = Vec::<u64>::with_capacity(1);
     assert!(asked(|| list.extend(0..100)) >= 1, "a list that grows");
 }
+
+#[test]
+fn a_ribbon_asks_for_nothing() {
+    use dogleaf_core::effect::ribbon::Closure;
+    let mut loose = dogleaf_tests::ribbons::helix::<f32, 50>(&dogleaf_tests::ribbons::spec(50));
+    let mut band = dogleaf_tests::ribbons::pulled::<f64, 50>(50, Closure::Moebius, 1e3);
+    let times = asked(|| {
+        for _ in 0..STEPS / 100 {
+            black_box((loose.step(0.01), band.step(0.01)));
+            black_box((loose.state_hash(), band.state_hash()));
+        }
+    });
+    assert_eq!(times, 0);
+}

@@ -20,6 +20,7 @@ pub mod seed;
 pub mod mesh;
 pub mod record;
 pub mod reading;
+pub mod effect;
 
 pub use book::{Book, LoneLeaf};
 pub use reading::Reading;

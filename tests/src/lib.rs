@@ -16,3 +16,4 @@ pub mod soak;
 pub mod crc;
 pub mod scenario;
 pub mod app;
+pub mod ribbons;

@@ -1,0 +1,77 @@
+//! Bending of a cell and the cost of slanted rulings: value, gradient and Hessian in `(ψ, c)` of both its creases.
+//!
+//! ```text
+//! V = D w/(4L) A(q) (m_j (1+c_j²) ψ_j² + m_{j+1} (1+c_{j+1}²) ψ_{j+1}²) + β c_j²      q = w (c_{j+1} - c_j)/(2L)
+//! ```
+//!
+//! Every inner crease is bent half in the cell before it and half in the one beyond. `A = 1` is the seed's energy,
+//! Sadowsky's; `A = atanh(q)/q` is Wunderlich's. `m` is one, but near a
+//! clamp, see [`Strip::weight`].
+//!
+//! Source: Ribbon Sec. 4 (whose `β` is in joules; ours is a share of the stiffness, so it refines with the mesh).
+//! Checked by `tests/ribbon_derivatives.rs`.
+
+use super::elementary::hyperbolic;
+use super::joint::Crease;
+use super::strip::Strip;
+use crate::real::Real;
+
+/// Index of a crease's numbers in [`Bent`]: the near crease's `ψ` and `c`, then the far one's.
+pub const PSI: usize = 0;
+/// See [`PSI`].
+pub const C: usize = 1;
+
+/// Gradient and Hessian of a cell by `(ψ_j, c_j, ψ_{j+1}, c_{j+1})`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bent<R> {
+    /// Gradient.
+    pub g: [R; 4],
+    /// Hessian.
+    pub h: [[R; 4]; 4],
+}
+
+fn factor<R: Real>(strip: &Strip<R>, spread: R) -> [R; 3] {
+    if strip.wunderlich {
+        let slope = strip.half / strip.cell;
+        let [a, b, c] = hyperbolic(spread * slope);
+        [a, b * slope, c * slope * slope]
+    } else {
+        [R::one(), R::ZERO, R::ZERO]
+    }
+}
+
+/// The energy.
+#[inline]
+pub fn energy<R: Real>(strip: &Strip<R>, j: usize, a: Crease<R>, b: Crease<R>) -> R {
+    let [factor, ..] = factor(strip, b.c - a.c);
+    let square = |x: Crease<R>| (R::one() + x.c * x.c) * x.psi * x.psi;
+    let both = strip.weight(j) * square(a) + strip.weight(j + 1) * square(b);
+    R::of(0.5) * strip.stiff * factor * both + strip.slope * a.c * a.c
+}
+
+/// Its derivatives.
+#[inline]
+pub fn derivatives<R: Real>(strip: &Strip<R>, j: usize, a: Crease<R>, b: Crease<R>) -> Bent<R> {
+    let half = R::of(0.5) * strip.stiff;
+    let [f0, f1, f2] = factor(strip, b.c - a.c).map(|f| f * half);
+    let (one, two, four) = (R::one(), R::of(2.0), R::of(4.0));
+    // Of each crease: its square, slopes by ψ and c, curvatures ψψ, ψc, cc.
+    let parts = |x: Crease<R>, m: R| {
+        let (k, psi) = ((one + x.c * x.c) * m, x.psi);
+        let sq = psi * psi * m;
+        [k * psi * psi, two * k * psi, two * x.c * sq, two * k, four * x.c * psi * m, two * sq]
+    };
+    let ([s0, p0, c0, pp0, pc0, cc0], [s1, p1, c1, pp1, pc1, cc1]) =
+        (parts(a, strip.weight(j)), parts(b, strip.weight(j + 1)));
+    let (sum, o) = (s0 + s1, R::ZERO);
+    let slope = two * strip.slope;
+    let (pc, cp) = (f0 * pc0 - f1 * p0, f1 * p0);
+    let (qc, qd) = (-f1 * p1, f0 * pc1 + f1 * p1);
+    let cc = f0 * cc0 - two * f1 * c0 + f2 * sum + slope;
+    let cd = f1 * (c0 - c1) - f2 * sum;
+    let dd = f0 * cc1 + two * f1 * c1 + f2 * sum;
+    Bent {
+        g: [f0 * p0, f0 * c0 - f1 * sum + slope * a.c, f0 * p1, f0 * c1 + f1 * sum],
+        h: [[f0 * pp0, pc, o, cp], [pc, cc, qc, cd], [o, qc, f0 * pp1, qd], [cp, cd, qd, dd]],
+    }
+}
