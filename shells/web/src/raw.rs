@@ -191,7 +191,7 @@ impl RawBook {
     pub fn notices(&mut self) -> Vec<u32> {
         self.desk.notices()
     }
-    /// Eighteen numbers.
+    /// Twenty numbers.
     pub fn stage(&self) -> Vec<f64> {
         stage(&self.desk.paper().setup()).to_vec()
     }

@@ -61,13 +61,14 @@ fn above_m(book: &BookSpec, aspect: f64) -> f64 {
 }
 
 /// Numbers of a stage.
-pub const STAGE: usize = 18;
+pub const STAGE: usize = 20;
 
 /// What a renderer makes its matrices of.
 ///
 /// ```text
 /// eye 3, right 3, up 3, forward 3: metres, unit vectors    focal length, pixels    width, height, pixels
 /// height of the table, metres    thickness of a leaf, metres    radius of the sphere of casters, metres
+/// width and height of a page, metres
 /// ```
 #[must_use]
 pub fn stage(setup: &Setup) -> [f64; STAGE] {
