@@ -21,7 +21,8 @@ pub(super) fn build(places: &Places) -> std::result::Result<(), Stop> {
     tools::target(WEB).map_err(Stop::Skipped)?;
     let mut glue: Option<String> = None;
     for (name, flags, feature) in BUILDS {
-        let folder = target_dir().join("web-build").join(name);
+        // Flags for the target alone: build scripts and macros are shared.
+        let folder = target_dir().join("web-build");
         let mut c = cargo(["build", "--quiet", "--locked", "--release", "--lib", "--target", WEB]);
         c.args(["--manifest-path", MANIFEST, "--features", feature, "--target-dir"]).arg(&folder);
         c.env("RUSTFLAGS", flags).env_remove("CARGO_ENCODED_RUSTFLAGS");
@@ -46,7 +47,7 @@ fn bind(wasm: &Path, to: &Path) -> std::result::Result<(), String> {
 
 /// The program that does natively what the browser does, for comparing.
 pub(super) fn native(places: &Places) -> std::result::Result<PathBuf, Stop> {
-    let folder = target_dir().join("web-build/native");
+    let folder = target_dir().join("web-build");
     let mut c = cargo(["build", "--quiet", "--locked", "--release", "--example", "native"]);
     c.args(["--manifest-path", MANIFEST, "--target-dir"]).arg(&folder);
     run(&mut c)?;

@@ -50,6 +50,7 @@ export class Book {
     #figures;
 
     /**
+     * @internal
      * @param {WebAssembly.Memory} memory
      * @param {RawBook} raw
      */
@@ -59,6 +60,7 @@ export class Book {
     }
 
     /**
+     * @internal
      * @param {WebAssembly.Memory} memory
      * @param {import("./options.js").BookOptions} options
      */
@@ -67,6 +69,7 @@ export class Book {
     }
 
     /**
+     * @internal
      * @param {WebAssembly.Memory} memory
      * @param {Uint8Array} bytes
      */
@@ -304,8 +307,9 @@ export class Book {
  * @template {Int32Array | Uint32Array} T
  * @param {T} numbers
  * @param {number} size
+ * @returns {T[]}
  */
 function split(numbers, size) {
     const count = Math.floor(numbers.length / size);
-    return Array.from({ length: count }, (_, n) => numbers.subarray(n * size, (n + 1) * size));
+    return Array.from({ length: count }, (_, n) => /** @type {T} */ (numbers.subarray(n * size, (n + 1) * size)));
 }

@@ -115,6 +115,19 @@ export class BookView {
         return true;
     }
 
+    /**
+     * A second finger takes one more leaf behind the one in hand, or gives one back.
+     * @param {boolean} more
+     */
+    bookmark(more) {
+        this.fingers.bookmark(more, this.now());
+    }
+
+    /** Puts back what is in hand. */
+    putBack() {
+        this.fingers.putBack(this.now());
+    }
+
     /** The canvas is as large as its place on the page, in the screen's own pixels. */
     resize() {
         const { canvas } = this;
@@ -173,7 +186,7 @@ export class BookView {
         if (document.hidden) {
             cancelAnimationFrame(this.#asked);
             this.#asked = 0;
-            this.fingers.putBack(this.now());
+            this.putBack();
             this.book.pause();
             this.#tell();
         } else {

@@ -101,6 +101,8 @@ pub fn stage(setup: &Setup) -> [f64; STAGE] {
         table,
         leaf_m,
         radius,
+        book.width_m,
+        book.height_m,
     ]
 }
 
