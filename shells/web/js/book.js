@@ -50,17 +50,17 @@ export class Book {
     #figures;
 
     /**
-     * @internal
+     * For `Dogleaf.open`.
      * @param {WebAssembly.Memory} memory
-     * @param {RawBook} raw
+     * @param {object} raw
      */
     constructor(memory, raw) {
         this.#memory = memory;
-        this.#raw = raw;
+        // The core's own types stay out of the package's.
+        this.#raw = /** @type {RawBook} */ (raw);
     }
 
     /**
-     * @internal
      * @param {WebAssembly.Memory} memory
      * @param {import("./options.js").BookOptions} options
      */
@@ -69,7 +69,6 @@ export class Book {
     }
 
     /**
-     * @internal
      * @param {WebAssembly.Memory} memory
      * @param {Uint8Array} bytes
      */

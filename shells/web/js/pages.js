@@ -38,6 +38,11 @@ export class Pages {
         return this.#there.size;
     }
 
+    /** Whether all that is wanted is there. */
+    get idle() {
+        return !this.#busy && this.#next() === undefined;
+    }
+
     /**
      * The book is open here, and a page takes so many pixels.
      * @param {number} page
