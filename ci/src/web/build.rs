@@ -55,3 +55,9 @@ pub(super) fn native(places: &Places) -> std::result::Result<PathBuf, Stop> {
     pack::copy(&folder.join("release/examples/native"), &to)?;
     Ok(to)
 }
+
+/// `dogleaf` itself, which runs again what a page recorded.
+pub(super) fn program() -> std::result::Result<PathBuf, Stop> {
+    run(&mut cargo(["build", "--quiet", "--profile", "swift", "-p", "dogleaf-cli"]))?;
+    Ok(target_dir().join("swift/dogleaf"))
+}

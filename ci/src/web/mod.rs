@@ -51,8 +51,8 @@ pub(crate) fn web(args: &[String]) -> Result {
         return Ok(crate::tally::Tally::default());
     }
     tools::program("chromium", "chromium").map_err(Stop::Skipped)?;
-    let native = build::native(&places)?;
-    let (tested, tally) = run_counting(&mut script("all.mjs", &[&places.out, &native]));
+    let [native, program] = [build::native(&places)?, build::program()?];
+    let (tested, tally) = run_counting(&mut script("all.mjs", &[&places.out, &native, &program]));
     tested.map_err(|why| Stop::Failed(why, tally))?;
     Ok(tally)
 }

@@ -17,7 +17,7 @@ const PAPER = "#fff";
  * @property {number} pages
  * @property {number} widthM
  * @property {number} heightM
- * @property {(page: number, widthPx: number, heightPx: number) => Promise<ImageBitmap>} picture
+ * @property {(page: number, widthPx: number, heightPx: number) => Promise<OffscreenCanvas>} picture
  * @property {() => void} close
  */
 
@@ -82,7 +82,7 @@ async function gallery(title, list) {
         pen.imageSmoothingQuality = "high";
         pen.drawImage(image, (width - w) / 2, (height - h) / 2, w, h);
         image.close();
-        return canvas.transferToImageBitmap();
+        return canvas;
     };
     return { title, pages: list.length, widthM: WIDTH_M, heightM: WIDTH_M * shape, picture, close() {} };
 }
@@ -133,7 +133,7 @@ export async function pdf(title, file) {
         const viewport = sheetOf.getViewport({ scale, offsetX, offsetY });
         await sheetOf.render({ canvas: null, canvasContext: pen, viewport }).promise;
         sheetOf.cleanup();
-        return canvas.transferToImageBitmap();
+        return canvas;
     };
     return { title: meta?.info?.Title || title, pages: book.numPages, widthM, heightM, picture, close: () => void task.destroy() };
 }
@@ -145,7 +145,8 @@ export async function pdf(title, file) {
  */
 function sheet(width, height) {
     const canvas = new OffscreenCanvas(width, height);
-    const pen = canvas.getContext("2d", { alpha: false });
+    // In plain memory: it is drawn once, and handed to another context.
+    const pen = canvas.getContext("2d", { alpha: false, willReadFrequently: true });
     if (!pen) throw new Error("needs more memory than there is");
     pen.fillStyle = PAPER;
     pen.fillRect(0, 0, width, height);

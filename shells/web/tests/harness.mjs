@@ -20,11 +20,11 @@ export class Bench {
     counts = { passed: 0, failed: 0 };
 
     /** @param {string} out folder that `cargo ci web` filled */
-    static async open(out, native) {
+    static async open(out, native, program) {
         const bench = new Bench();
         const require = createRequire(join(out, "tools/package.json"));
         const { chromium } = require("playwright-core");
-        Object.assign(bench, { out, native, ...(await serve(out)) });
+        Object.assign(bench, { out, native, program, ...(await serve(out)) });
         bench.browser = await chromium.launch({ executablePath: CHROMIUM, args: FLAGS });
         mkdirSync(join(out, "pictures"), { recursive: true });
         return bench;
@@ -43,8 +43,10 @@ export class Bench {
     }
 
     /** The reader's page, with its first book open and lying still. */
-    async reader({ viewport = { width: 960, height: 640 }, workers = "block", ...options } = {}) {
-        const context = await this.browser.newContext({ viewport, serviceWorkers: workers, ...options });
+    async reader({ viewport = { width: 960, height: 640 }, workers = "block", sharpness = 0.1, ...options } = {}) {
+        // A processor draws: fewer pixels, so that frames come as they would.
+        const size = { viewport, deviceScaleFactor: sharpness };
+        const context = await this.browser.newContext({ ...size, serviceWorkers: workers, ...options });
         const page = await context.newPage();
         page.wrong = [];
         page.on("pageerror", (why) => page.wrong.push(String(why)));
