@@ -3,8 +3,8 @@
 /** Number of the finger that a wheel or a key stands for. */
 const SECOND = 61;
 /** Where it presses and how far it goes, in views. */
-const BESIDE = 0.55;
-const WAY = 0.06;
+const BESIDE = 0.75;
+const WAY = 0.08;
 
 /** Mouse, fingers and pens on an element, until `release`. */
 export class Fingers {

@@ -75,11 +75,15 @@ export class BookRenderer {
         return this.textures.has(page);
     }
 
-    /** Pages that the book shows now and whose pictures are missing. */
-    missingPages() {
+    /** Pages that the book shows now. */
+    shownPages() {
         const seen = this.#looks.flatMap(({ front, back }) => [front, back]);
-        const missing = seen.filter((page) => page !== undefined && !this.textures.has(page));
-        return /** @type {number[]} */ ([...new Set(missing)]);
+        return /** @type {number[]} */ ([...new Set(seen.filter((page) => page !== undefined))]);
+    }
+
+    /** Those of them whose pictures are missing. */
+    missingPages() {
+        return this.shownPages().filter((page) => !this.textures.has(page));
     }
 
     /**

@@ -165,6 +165,7 @@ export class BookView {
     #picture(page, picture) {
         if (!this.#renderer || this.gl.isContextLost()) return;
         this.#renderer.setPage(page, picture);
+        if (!this.#renderer.shownPages().includes(page)) return;
         this.book.redraw();
         this.wake();
     }

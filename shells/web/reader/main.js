@@ -91,6 +91,9 @@ const dogleaf = await load().catch((why) => {
 });
 const reader = new Reader(dogleaf, at("book"), kept, { notice: heard, place, news });
 const lab = new Lab(reader, at);
+// `?sharpness=0.5` for machines whose graphics card is the processor.
+const sharpness = Number(new URLSearchParams(location.search).get("sharpness"));
+if (sharpness > 0) reader.sharpness = sharpness;
 
 // Files.
 const file = /** @type {HTMLInputElement} */ (at("file"));

@@ -19,7 +19,10 @@ export class Reader {
     view;
     /** @type {import("./sources.js").Source | undefined} */
     source;
+    /** @type {string} */
     #layout = "spread";
+    /** Pixels of the canvas for each of the page's; by default the screen's. */
+    sharpness = /** @type {number | undefined} */ (undefined);
 
     /**
      * @param {import("./dogleaf/index.js").Dogleaf} dogleaf
@@ -56,6 +59,7 @@ export class Reader {
         if (old && old !== source) old.close();
         this.source = source;
         this.view = new BookView(this.canvas, book, { ...source, close() {} }, {
+            sharpness: this.sharpness,
             onNotice: this.tell.notice,
             onBadPage: (page, why) => this.tell.news(`Page ${page + 1} cannot be shown: ${why instanceof Error ? why.message : why}.`),
         });

@@ -44,13 +44,12 @@ export class Bench {
 
     /** The reader's page, with its first book open and lying still. */
     async reader({ viewport = { width: 960, height: 640 }, workers = "block", sharpness = 0.1, ...options } = {}) {
-        // A processor draws: fewer pixels, so that frames come as they would.
-        const size = { viewport, deviceScaleFactor: sharpness };
-        const context = await this.browser.newContext({ ...size, serviceWorkers: workers, ...options });
+        const context = await this.browser.newContext({ viewport, serviceWorkers: workers, ...options });
         const page = await context.newPage();
         page.wrong = [];
         page.on("pageerror", (why) => page.wrong.push(String(why)));
-        await page.goto(`${this.url}/reader/`);
+        // A processor draws: fewer pixels, so that frames come as they would.
+        await page.goto(`${this.url}/reader/?sharpness=${sharpness}`);
         await still(page);
         return page;
     }
