@@ -72,6 +72,7 @@ fn types(places: &Places) -> Done {
     let consumer = places.out.join("consumer");
     clear(&consumer)?;
     copy(&Path::new(SHELL).join("tests/consumer"), &consumer)?;
+    copy(&Path::new(SHELL).join("examples/host_loop.js"), &consumer.join("host_loop.js"))?;
     copy(&places.package, &consumer.join("node_modules/dogleaf"))?;
     tsc(&consumer)?;
     // The control: what is wrong is refused.
