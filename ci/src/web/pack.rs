@@ -94,7 +94,9 @@ pub(super) fn reader(places: &Places) -> Done {
     for (from, name) in PDFJS {
         copy(&places.modules.join("pdfjs-dist").join(from), &to.join("pdfjs").join(name))?;
     }
-    copy(Path::new("fixtures/books/old-verses.pdf"), &to.join("books/old-verses.pdf"))?;
+    for data in ["books/old-verses.pdf", "recordings/slow_turn_f32.dlr"] {
+        copy(&Path::new("fixtures").join(data), &to.join(data))?;
+    }
     offline(to)
 }
 

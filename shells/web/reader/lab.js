@@ -3,13 +3,20 @@ import { plot } from "./plot.js";
 
 /** Shorter recordings show nothing. */
 const FEWEST_BYTES = 600;
+/** What is measured until the reader has turned a page. */
+const FIRST = "recordings/slow_turn_f32.dlr";
+const FIDELITIES = ["draft", "standard", "fine", "reference"];
 
-/** @typedef {{ grid: string, fidelity: string, stepUs: number, stepMicros: number, pictureMicros: number, error: number }} Figure */
+/** @typedef {{ grid: string, fidelity: string, stepUs: number, stepMicros: number, pictureMicros: number, error: number, inTime: number }} Figure */
+
+/** @param {number} error */
+const said = (error) => (error > 0 ? error.toFixed(4) : "–");
 
 /** The pane. */
 export class Lab {
     /** @type {Uint8Array | undefined} */
     #bytes;
+    #name = "";
     /** @type {Worker | undefined} */
     #worker;
     /** @type {Figure[]} */
@@ -34,17 +41,38 @@ export class Lab {
         });
         for (const id of ["fidelity", "grid", "step"]) select(id).addEventListener("change", () => this.measure([this.dials()]));
         at("measure").addEventListener("click", () => this.measure([this.dials()]));
-        at("sweep").addEventListener("click", () => {
-            const dials = this.dials();
-            this.measure(["draft", "standard", "fine", "reference"].map((fidelity) => ({ ...dials, fidelity })));
-        });
+        at("sweep").addEventListener("click", () => this.measure(this.#sweep()));
         // Before the book hears of it.
         reader.canvas.parentElement?.addEventListener("pointerdown", () => this.#begin(), { capture: true });
     }
 
     /** @param {boolean} open */
-    shown(open) {
+    async shown(open) {
         this.#open = open;
+        if (!open || this.#bytes) return;
+        const answer = await fetch(FIRST);
+        if (answer.ok && !this.#bytes) this.#take(new Uint8Array(await answer.arrayBuffer()), "A recorded slow turn");
+        this.measure(this.#sweep());
+    }
+
+    #sweep() {
+        const dials = this.dials();
+        return FIDELITIES.map((fidelity) => ({ ...dials, fidelity }));
+    }
+
+    /**
+     * @param {Uint8Array} bytes
+     * @param {string} name
+     */
+    #take(bytes, name) {
+        this.#bytes = bytes;
+        this.#name = name;
+        this.figures = [];
+        const link = /** @type {HTMLAnchorElement} */ (this.at("save"));
+        URL.revokeObjectURL(link.href);
+        link.href = URL.createObjectURL(new Blob([/** @type {Uint8Array<ArrayBuffer>} */ (bytes)]));
+        link.hidden = false;
+        for (const id of ["measure", "sweep"]) /** @type {HTMLButtonElement} */ (this.at(id)).disabled = false;
     }
 
     /**
@@ -71,13 +99,7 @@ export class Lab {
         this.#recording = false;
         const bytes = book.stopRecording();
         if (bytes.length < FEWEST_BYTES) return;
-        this.#bytes = bytes;
-        this.figures = [];
-        const link = /** @type {HTMLAnchorElement} */ (this.at("save"));
-        URL.revokeObjectURL(link.href);
-        link.href = URL.createObjectURL(new Blob([bytes]));
-        link.hidden = false;
-        for (const id of ["measure", "sweep"]) /** @type {HTMLButtonElement} */ (this.at(id)).disabled = false;
+        this.#take(bytes, "Your gesture");
         this.measure([this.dials()]);
     }
 
@@ -86,7 +108,7 @@ export class Lab {
         if (!this.#bytes) return;
         this.#worker ??= this.#employed();
         this.at("cost-bar").hidden = false;
-        this.at("cost-state").textContent = "Simulating your gesture again…";
+        this.at("cost-state").textContent = `${this.#name} is simulated again…`;
         this.#worker.postMessage({ bytes: this.#bytes, list });
     }
 
@@ -103,7 +125,7 @@ export class Lab {
     #heard({ share, figure, done, wrong }) {
         if (share !== undefined) /** @type {HTMLProgressElement} */ (this.at("cost-bar")).value = share;
         if (wrong) this.at("cost-state").textContent = wrong;
-        if (done) this.at("cost-state").textContent = `Your gesture, ${done.steps} pictures of it, simulated again.`;
+        if (done) this.at("cost-state").textContent = `${this.#name}: ${done.steps} pictures, simulated again.`;
         if (done || wrong) this.at("cost-bar").hidden = true;
         if (!figure) return;
         const same = (/** @type {Figure} */ f) => ["grid", "fidelity", "stepUs"].every((k) => f[/** @type {"grid"} */ (k)] === figure[/** @type {"grid"} */ (k)]);
@@ -117,7 +139,7 @@ export class Lab {
         this.at("figures").hidden = false;
         const rows = [...this.figures].sort((a, b) => a.pictureMicros - b.pictureMicros).map((f) => {
             const row = document.createElement("tr");
-            const cells = [`${f.fidelity}, ${f.grid}, 1/${Math.round(1e6 / f.stepUs)} s`, f.stepMicros.toFixed(1), f.pictureMicros.toFixed(0), f.error > 0 ? f.error.toExponential(1) : "reference"];
+            const cells = [`${f.fidelity}, ${f.grid}, 1/${Math.round(1e6 / f.stepUs)} s`, f.stepMicros.toFixed(1), f.pictureMicros.toFixed(0), said(f.error), said(f.inTime)];
             row.append(...cells.map((text) => Object.assign(document.createElement("td"), { textContent: text })));
             return row;
         });

@@ -130,7 +130,8 @@ function toggle(pane, button) {
         at(p).hidden = !shown;
         at(b).setAttribute("aria-expanded", String(shown));
     }
-    lab.shown(!at("cost").hidden);
+    document.body.classList.toggle("measuring", !at("cost").hidden);
+    void lab.shown(!at("cost").hidden);
     if (at(pane).hidden) at(button).focus();
 }
 at("menu").addEventListener("click", () => toggle("settings", "menu"));

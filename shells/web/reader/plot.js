@@ -1,7 +1,9 @@
 // A small plot: error against time, both as powers of ten.
 
 const [WIDTH, HEIGHT] = [440, 200];
-const [LEFT, RIGHT, TOP, BOTTOM] = [44, 16, 12, 30];
+const [LEFT, RIGHT, TOP, BOTTOM] = [44, 34, 12, 30];
+/** Height of a line of text. */
+const LINE = 12;
 
 /**
  * @param {import("./lab.js").Figure[]} figures
@@ -11,15 +13,23 @@ export function plot(figures, last) {
     const seen = figures.filter((f) => f.error > 0 && f.pictureMicros > 0);
     if (seen.length === 0) return "";
     const x = axis(seen.map((f) => f.pictureMicros), LEFT, WIDTH - RIGHT);
-    const y = axis(seen.map((f) => f.error), HEIGHT - BOTTOM, TOP);
+    const errors = seen.flatMap((f) => [f.error, f.inTime]).filter((error) => error > 0);
+    const y = axis(errors, HEIGHT - BOTTOM, TOP);
     const lines = [
         ...x.decades.map((d) => line(x.at(10 ** d), TOP, x.at(10 ** d), HEIGHT - BOTTOM) + label(x.at(10 ** d), HEIGHT - 14, `${name(d)} µs`, "middle")),
         ...y.decades.map((d) => line(LEFT, y.at(10 ** d), WIDTH - RIGHT, y.at(10 ** d)) + label(LEFT - 6, y.at(10 ** d) + 4, `10${power(d)}`, "end")),
     ];
+    /** @type {[number, number][]} */
+    const written = [];
     const dots = seen.map((f) => {
         const [cx, cy] = [x.at(f.pictureMicros), y.at(f.error)];
-        const aside = cx > WIDTH * 0.7 ? [-8, "end"] : [8, "start"];
-        return `<circle class="dot${f === last ? "" : " old"}" cx="${cx.toFixed(1)}" cy="${cy.toFixed(1)}" r="${f === last ? 5 : 4}"/>` + label(cx + Number(aside[0]), cy + 4, `${f.fidelity} ${f.grid}`, String(aside[1]));
+        const end = cx > WIDTH * 0.7;
+        let below = cy + 4;
+        while (written.some(([wx, wy]) => Math.abs(wx - cx) < 90 && Math.abs(wy - below) < LINE)) below += LINE;
+        written.push([cx, below]);
+        const whole = dot(cx, cy, f === last ? "" : "old", f === last ? 5 : 4);
+        const inTime = f.inTime > 0 ? dot(cx, y.at(f.inTime), "time", 4) : "";
+        return inTime + whole + label(cx + (end ? -8 : 8), below, `${f.fidelity} ${f.grid}`, end ? "end" : "start");
     });
     return `<svg viewBox="0 0 ${WIDTH} ${HEIGHT}">${lines.join("")}${dots.join("")}${label(WIDTH - RIGHT, HEIGHT - 2, "a picture", "end")}</svg>`;
 }
@@ -36,6 +46,14 @@ function axis(values, from, to) {
     const at = (/** @type {number} */ value) => from + ((Math.log10(value) - low) / (high - low)) * (to - from);
     return { at, decades: Array.from({ length: high - low + 1 }, (_, n) => low + n) };
 }
+
+/**
+ * @param {number} x
+ * @param {number} y
+ * @param {string} kind
+ * @param {number} r
+ */
+const dot = (x, y, kind, r) => `<circle class="dot ${kind}" cx="${x.toFixed(1)}" cy="${y.toFixed(1)}" r="${r}"/>`;
 
 /** @param {number} decade */
 const name = (decade) => (10 ** decade).toLocaleString("en");

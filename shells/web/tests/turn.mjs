@@ -58,8 +58,8 @@ export default async function run(bench) {
         holds(before === after, `${before} became ${after}`);
     });
     await bench.test("with a leaf in hand the wheel takes more behind it", async () => {
-        // The pane would have the wheel.
         await page.keyboard.press("a");
+        await still(page);
         await page.mouse.move(...(await spot(page, 0.9, 0.75)));
         await page.mouse.down();
         await page.mouse.move(...(await spot(page, 0.4, 0.5)), { steps: 6 });
