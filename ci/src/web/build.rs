@@ -58,6 +58,13 @@ pub(super) fn native(places: &Places) -> std::result::Result<PathBuf, Stop> {
 
 /// `dogleaf` itself, which runs again what a page recorded.
 pub(super) fn program() -> std::result::Result<PathBuf, Stop> {
-    run(&mut cargo(["build", "--quiet", "--profile", "swift", "-p", "dogleaf-cli"]))?;
+    run(&mut cargo(["build", "--quiet", "--profile", "swift", "-p", "dogleaf"]))?;
     Ok(target_dir().join("swift/dogleaf"))
+}
+
+/// The tests that need no browser.
+pub(super) fn tests() -> std::process::Command {
+    let mut c = cargo(["test", "--quiet", "--locked", "--lib", "--features", "grids"]);
+    c.args(["--manifest-path", MANIFEST, "--target-dir"]).arg(target_dir().join("web-build"));
+    c
 }

@@ -52,8 +52,10 @@ pub(crate) fn web(args: &[String]) -> Result {
     }
     tools::program("chromium", "chromium").map_err(Stop::Skipped)?;
     let [native, program] = [build::native(&places)?, build::program()?];
-    let (tested, tally) = run_counting(&mut script("all.mjs", &[&places.out, &native, &program]));
-    tested.map_err(|why| Stop::Failed(why, tally))?;
+    let (own, mut tally) = run_counting(&mut build::tests());
+    let (tested, more) = run_counting(&mut script("all.mjs", &[&places.out, &native, &program]));
+    tally += more;
+    own.and(tested).map_err(|why| Stop::Failed(why, tally))?;
     Ok(tally)
 }
 

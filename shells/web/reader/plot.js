@@ -2,8 +2,8 @@
 
 const [WIDTH, HEIGHT] = [440, 200];
 const [LEFT, RIGHT, TOP, BOTTOM] = [44, 34, 12, 30];
-/** Height of a line of text. */
-const LINE = 12;
+/** Height of a line of text, and the width of a label. */
+const [LINE, TEXT] = [12, 90];
 
 /**
  * @param {import("./lab.js").Figure[]} figures
@@ -19,14 +19,15 @@ export function plot(figures, last) {
         ...x.decades.map((d) => line(x.at(10 ** d), TOP, x.at(10 ** d), HEIGHT - BOTTOM) + label(x.at(10 ** d), HEIGHT - 14, `${name(d)} µs`, "middle")),
         ...y.decades.map((d) => line(LEFT, y.at(10 ** d), WIDTH - RIGHT, y.at(10 ** d)) + label(LEFT - 6, y.at(10 ** d) + 4, `10${power(d)}`, "end")),
     ];
-    /** @type {[number, number][]} */
+    /** @type {[number, number, number][]} */
     const written = [];
     const dots = seen.map((f) => {
         const [cx, cy] = [x.at(f.pictureMicros), y.at(f.error)];
         const end = cx > WIDTH * 0.7;
         let below = cy + 4;
-        while (written.some(([wx, wy]) => Math.abs(wx - cx) < 90 && Math.abs(wy - below) < LINE)) below += LINE;
-        written.push([cx, below]);
+        const from = end ? cx - TEXT : cx;
+        while (written.some(([a, b, at]) => from < b && from + TEXT > a && Math.abs(at - below) < LINE)) below += LINE;
+        written.push([from, from + TEXT, below]);
         const whole = dot(cx, cy, f === last ? "" : "old", f === last ? 5 : 4);
         const inTime = f.inTime > 0 ? dot(cx, y.at(f.inTime), "time", 4) : "";
         return inTime + whole + label(cx + (end ? -8 : 8), below, `${f.fidelity} ${f.grid}`, end ? "end" : "start");

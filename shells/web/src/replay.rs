@@ -33,7 +33,7 @@ pub struct Replay {
     pub steps: u32,
     /// The first step whose hash is another; counted only where nothing is done otherwise.
     pub diverged: Option<u32>,
-    /// Internal steps of the physics.
+    /// World steps of the physics: as many as recorded ones unless their length is another.
     pub inner: u32,
     as_made: bool,
     frame_us: u32,
@@ -234,7 +234,7 @@ mod check {
         let fine = Otherwise { fidelity: Some("fine"), step_us: Some(8_333), ..Default::default() };
         let (other, _) = through(fine);
         assert_eq!(other.steps, golden.steps);
-        assert!(other.inner > 3 * golden.inner, "{} for {}", other.inner, golden.inner);
+        assert!(2 * other.inner > 3 * golden.inner, "{} for {}", other.inner, golden.inner);
     }
 
     #[test]
