@@ -24,6 +24,7 @@ mod tally;
 mod tests;
 mod tools;
 mod tree;
+mod web;
 mod words;
 
 use std::path::PathBuf;

@@ -18,6 +18,9 @@ const BINDGEN: &str = crate::bindings::MANIFEST;
 /// And what is built for many targets.
 const PROBE: &str = "tests/probe/Cargo.toml";
 const FIRMWARE: &str = "shells/eink/firmware/Cargo.toml";
+/// The web shell, and what writes its JavaScript.
+const WEB: &str = crate::web::MANIFEST;
+const JSBIND: &str = crate::web::JSBIND;
 
 /// `cargo ci fmt [--check]`.
 pub(crate) fn fmt(args: &[String]) -> Result {
@@ -31,7 +34,7 @@ pub(crate) fn fmt(args: &[String]) -> Result {
         c
     };
     let apart = |manifest| with(&["--manifest-path", manifest]);
-    let outside = [PEERS, FUZZ, PROBE, FIRMWARE, BINDGEN].map(apart);
+    let outside = [PEERS, FUZZ, PROBE, FIRMWARE, BINDGEN, WEB, JSBIND].map(apart);
     run_each([with(&["--all"])].into_iter().chain(outside))?;
     Ok(Tally::default())
 }
@@ -48,6 +51,7 @@ pub(crate) fn lint(args: &[String]) -> Result {
         list.push(core(&[&["--features", feature.as_str()], targets].concat()));
     }
     list.push(clippy(&["--manifest-path", PROBE, "--all-targets"]));
+    list.push(clippy(&["--manifest-path", WEB, "--all-targets", "--all-features"]));
     // Without the target `hashes` says that it is missing.
     if tools::target(BOARD).is_ok() {
         list.push(clippy(&["--manifest-path", FIRMWARE, "--bins", "--target", BOARD]));

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use crate::tally::Tally;
 use crate::{
     all, android, bindings, desktop, eink, fuzz, hashes, no_std, peers, seed_slots, size, slots,
-    style, swift, tests, tree,
+    style, swift, tests, tree, web,
 };
 
 /// Why a word did not pass.
@@ -147,6 +147,12 @@ const WORDS: &[Word] = &[
         args: "",
         about: "the desktop shell: its pictures against the reference, a window, the check for Android",
         run: desktop::desktop,
+    },
+    Word {
+        name: "web",
+        args: "[--serve]",
+        about: "the web shell: package, types, sizes, the page in Chromium; or serve the page",
+        run: web::web,
     },
     Word {
         name: "peers",
