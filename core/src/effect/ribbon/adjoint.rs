@@ -11,7 +11,7 @@ use super::body::Body;
 use super::frame::{Six, dot6};
 use super::inertia::model;
 use super::joint::{Crease, about};
-use super::load::{Ask, Loads};
+use super::load::{Ask, Loads, Pull};
 use super::resample::Pair;
 use super::sweep::pulls;
 use crate::real::{Real, V3};
@@ -35,13 +35,16 @@ impl<R: Real, const N: usize> Body<R, N> {
             [beyond, at_start] = self.hold.gradient(&self.gap);
         }
         let none: Pair<R> = [V3([R::ZERO; 3]); 2];
-        let mut pulled = pulls(ask, loads, strip.n, &self.end.pair).gradient;
+        let mut pull = Pull::none();
+        pulls(ask, loads, strip.n, &self.end.pair, &mut pull);
+        let mut pulled = pull.gradient;
         let mut carried = [R::ZERO; 2];
         let mut next = (self.end.pair, self.end.want, Crease::default());
         for (j, s) in self.used().iter().enumerate().rev() {
             let near = j.checked_sub(1).and_then(|i| self.stages.get(i));
             let f = near.map_or(&self.base, |s| &s.frame);
-            let own = pulls(ask, loads, j, &s.pair).gradient;
+            pulls(ask, loads, j, &s.pair, &mut pull);
+            let own = pull.gradient;
             let cell = Self::cell(s, (&next.0, &next.1, next.2.c));
             let m = model(strip, &self.motion, &cell, &[own, pulled], ask.guide(j));
             let bent = bending::derivatives(strip, j, s.crease, next.2);

@@ -168,7 +168,7 @@ impl<R: Real> Value<R> {
     /// # Cost
     ///
     /// About 500 multiply-adds, with `d` 1,100.
-    #[inline]
+    #[inline(always)]
     pub fn eliminate(
         &mut self,
         axes: &[Six<R>; 2],

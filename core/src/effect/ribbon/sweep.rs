@@ -59,16 +59,18 @@ struct Carried<R> {
     drift: bool,
 }
 
+#[inline(always)]
 pub(super) fn pulls<R: Real>(
     ask: &Ask<R>,
     loads: &impl Loads<R>,
     crease: usize,
     pair: &Pair<R>,
-) -> Pull<R> {
-    let mut pull = Pull::none();
-    ask.pull(crease, pair, &mut pull);
-    loads.pull(crease, pair, &mut pull);
-    pull
+    pull: &mut Pull<R>,
+) {
+    pull.gradient = Next::<R>::NONE;
+    pull.terms.clear();
+    ask.pull(crease, pair, pull);
+    loads.pull(crease, pair, pull);
 }
 
 impl<R: Real, const N: usize> Body<R, N> {
@@ -81,11 +83,12 @@ impl<R: Real, const N: usize> Body<R, N> {
     pub fn factor(&mut self, ask: &Ask<R>, loads: &impl Loads<R>, shift: R) -> Option<R> {
         let mut carried = self.carried(shift);
         let Self { strip, stages, end, motion, mu, .. } = self;
-        let pull = pulls(ask, loads, strip.n, &end.pair);
+        let mut pull = Pull::none();
+        pulls(ask, loads, strip.n, &end.pair, &mut pull);
         curve(&mut carried.value, &pull, &end.pair, V3([R::ZERO; 3]), carried.drift);
         let mut next = Next::end(end, pull.gradient);
         for (j, s) in stages.iter_mut().take(strip.n).enumerate().rev() {
-            let pull = pulls(ask, loads, j, &s.pair);
+            pulls(ask, loads, j, &s.pair, &mut pull);
             let cell = Self::cell(s, (next.pair, next.want, next.crease.c));
             let spread = cell.spread;
             let m = model(strip, motion, &cell, &[pull.gradient, next.pulled], ask.guide(j));
