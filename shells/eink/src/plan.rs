@@ -128,6 +128,12 @@ impl Policy {
             _ => even,
         }
     }
+
+    /// Progress at which the key frame after one at `last` is due; none if there is no more.
+    #[must_use]
+    pub fn next(&self, last: u16, keys: u8) -> Option<u16> {
+        (0..keys).map(|n| Self::threshold(n, keys)).find(|&t| t > last)
+    }
 }
 
 /// The waveform of a settled page.
@@ -240,7 +246,7 @@ impl Planner {
             return leaf.progress.abs_diff(last) >= 1_024 / (u16::from(keys) + 1);
         }
         // The next share of the way that is not behind it yet.
-        let next = (0..keys).map(|n| Policy::threshold(n, keys)).find(|&t| t > last);
+        let next = self.policy.next(last, keys);
         self.free < keys && next.is_some_and(|t| leaf.progress >= t)
     }
 

@@ -43,18 +43,34 @@ impl Strip {
         tape: &mut impl Tape,
     ) -> Result<(), Refusal> {
         reading.turn(forward, 1)?;
+        self.fall(reading, 0, (panel, policy), tape);
+        Ok(())
+    }
+
+    /// Lets the leaf that nobody holds fall to the end, and keeps the key frames that come after progress `last`.
+    ///
+    /// # Cost
+    ///
+    /// As many world steps as the fall has, some sixty.
+    pub fn fall<R: Real>(
+        &mut self,
+        reading: &mut Reading<R, G11x8>,
+        mut last: u16,
+        (panel, policy): (&Panel, &Policy),
+        tape: &mut impl Tape,
+    ) {
         self.poses.clear();
         let keys = policy.keys(panel);
         reading.ahead(tape, |book| {
             let Some(pose) = Pose::of(book) else { return };
-            let Some(n) = u8::try_from(self.poses.len()).ok().filter(|n| *n < keys) else { return };
-            if pose.progress() >= Policy::threshold(n, keys) {
+            let due = policy.next(last, keys).is_some_and(|t| pose.progress() >= t);
+            if due && self.poses.len() < usize::from(keys) {
+                last = pose.progress();
                 self.faces = Faces::of(book);
                 // It has room: there are no more keys than places.
                 let _ = self.poses.push(pose);
             }
         });
-        Ok(())
     }
 
     /// The key frames, in order.
