@@ -30,6 +30,7 @@ class PanelTest {
             val first = frames.rest()
             val whole = PanelUpdate(0u, 0u, 960u, 720u, Waveform.GC16, full = true, settled = true, first.single().busyUs)
             assertEquals(listOf(whole), first)
+            now += whole.busyUs.toLong() // the panel is done with it
             book.turn(true, 1u)
             val turn = frames.rest()
             assertTrue(turn.size in 3..5, "$turn")
