@@ -24,6 +24,12 @@ public class BookView @JvmOverloads constructor(context: Context, attributes: At
     /** Told of every notice, on the UI thread: pages, announcements. */
     public var onNotice: (Notice) -> Unit = {}
 
+    /**
+     * Told of every picture for electronic paper, on the UI thread, once it was drawn: refresh the panel there, with what the
+     * maker's library has for the waveform. Only under [MotionPolicy.E_INK].
+     */
+    public var onPanel: (PanelUpdate) -> Unit = {}
+
     /** Words for a screen reader; the page is counted from 1. */
     public var announcement: (page: Int, pages: Int) -> String = { page, pages -> "$page / $pages" }
 
@@ -31,7 +37,7 @@ public class BookView @JvmOverloads constructor(context: Context, attributes: At
     public var haptics: Boolean = true
 
     private val touches = Touches()
-    private val stage = BookStage(this, touches, ::tell)
+    private val stage = BookStage(this, touches, ::tell) { update -> post { onPanel(update) } }
 
     init {
         setEGLContextClientVersion(3)
@@ -59,6 +65,9 @@ public class BookView @JvmOverloads constructor(context: Context, attributes: At
 
     /** What a new process needs to go on here; handed to [done] on the UI thread. */
     public fun snapshot(done: (ByteArray) -> Unit): Unit = ask { book -> book.snapshot().let { post { done(it) } } }
+
+    /** What the electronic paper can do, under [MotionPolicy.E_INK]. */
+    public fun setPanel(options: PanelOptions): Unit = ask { it.setPanel(options) }
 
     /** Does something with the book on the thread it lives on; what it refuses is no news. */
     public fun ask(work: (Book) -> Unit) {
@@ -121,6 +130,7 @@ internal class BookStage(
     private val view: GLSurfaceView,
     private val touches: Touches,
     private val tell: (Notice) -> Unit,
+    private val refresh: (PanelUpdate) -> Unit,
 ) : GLSurfaceView.Renderer {
     private var book: Book? = null
     private var frames: Frames? = null
@@ -189,6 +199,7 @@ internal class BookStage(
         }
         frames.notices(tell)
         renderer.draw(frames)
+        frames.panel?.let(refresh)
         pages.want(renderer.missingPages(), width, height)
         if (frames.needsFrame) view.requestRender()
     }

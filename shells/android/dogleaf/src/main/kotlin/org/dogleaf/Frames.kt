@@ -63,6 +63,12 @@ public class Frames(private val book: Book) {
     /** How the physics went. */
     public val status: StepStatus get() = STATUSES[word(7).toInt()]
 
+    /**
+     * The picture that electronic paper is to show now, under [MotionPolicy.E_INK] only: draw, then refresh the panel there.
+     * Null where none is due; then nothing is to be drawn either.
+     */
+    public val panel: PanelUpdate? get() = if (word(8) == 0L) null else panel(word(8), word(9))
+
     /** Puts a pointer sample in; it is taken at the next [step]. Oldest first. */
     public fun pointer(timeUs: Long, id: Int, phase: Phase, x: Float, y: Float, leaves: Int = 0) {
         if (waiting == MOST) flush()
@@ -117,6 +123,19 @@ public class Frames(private val book: Book) {
         }
     }
 
+    private fun panel(place: Long, how: Long) = PanelUpdate(
+        x = side(place, 0),
+        y = side(place, 1),
+        width = side(place, 2),
+        height = side(place, 3),
+        waveform = WAVEFORMS[(how and 0xFF).toInt()],
+        full = how and 0x100L != 0L,
+        settled = how and 0x200L != 0L,
+        busyUs = (how ushr 32).toUInt(),
+    )
+
+    private fun side(place: Long, n: Int): UInt = (place ushr (16 * n) and 0xFFFF).toUInt()
+
     /** As `ffi/src/words.rs` lays them out; every machine we ship to has the little end first. */
     private companion object {
         const val MOST = 64
@@ -124,5 +143,6 @@ public class Frames(private val book: Book) {
         const val FIRST_NOTICE = 8 * 272
         val STATUSES = StepStatus.entries
         val TICKS = Tick.entries
+        val WAVEFORMS = Waveform.entries
     }
 }
