@@ -286,8 +286,9 @@ impl Book {
     ///
     /// # Errors
     ///
-    /// `Closed`.
+    /// `Refused`: what no panel takes; `Closed`.
     pub fn set_panel(&self, options: PanelOptions) -> Result<()> {
+        crate::eink::check(&options)?;
         self.change(|desk| {
             desk.set_panel(options);
             Ok(())

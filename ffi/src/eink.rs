@@ -1,6 +1,7 @@
 //! Electronic paper: which pictures of a turn are worth a refresh of the panel, where and how. What the planner of
 //! `dogleaf-eink` says, in the pixels of the app's view.
 
+use crate::error::DogleafError;
 use crate::options::mirrored;
 use crate::pointer::{Phase, PointerSample};
 use dogleaf_core::grid::G11x8;
@@ -39,6 +40,8 @@ pub struct PanelOptions {
     pub du_us: u32,
     /// Microseconds of an update in greys.
     pub gl16_us: u32,
+    /// The same where white is driven anew; none if the panel cannot.
+    pub glr16_us: Option<u32>,
     /// Microseconds of a full refresh.
     pub gc16_us: u32,
     /// Pictures of a turn at most, before the page after; 1 to 12.
@@ -78,6 +81,7 @@ pub fn panel_options() -> PanelOptions {
         a2_us: panel.a2_us,
         du_us: panel.du_us,
         gl16_us: panel.gl16_us,
+        glr16_us: panel.glr16_us,
         gc16_us: panel.gc16_us,
         key_frames: policy.key_frames,
         full_after: policy.full_after,
@@ -183,9 +187,24 @@ pub(crate) fn asked(reading: &Reading<f32, G11x8>) -> bool {
 }
 
 fn panel(options: &PanelOptions, [width, height]: [u16; 2]) -> dogleaf_eink::Panel {
-    let &PanelOptions { grey, a2_us, du_us, gl16_us, gc16_us, .. } = options;
-    let panel = dogleaf_eink::Panel::SIX_INCH;
-    dogleaf_eink::Panel { width, height, grey, a2_us, du_us, gl16_us, gc16_us, ..panel }
+    let &PanelOptions { grey, a2_us, du_us, gl16_us, glr16_us, gc16_us, .. } = options;
+    dogleaf_eink::Panel { width, height, grey, a2_us, du_us, gl16_us, glr16_us, gc16_us }
+}
+
+/// Refuses what no panel takes, whatever the size of the view.
+pub(crate) fn check(options: &PanelOptions) -> Result<(), DogleafError> {
+    let refused = |text: &str| Err(DogleafError::Refused(text.to_owned()));
+    if let Err(why) = panel(options, [800, 600]).check() {
+        return refused(&why.to_string());
+    }
+    if !(1..=12).contains(&options.key_frames) {
+        return refused("a turn has 1 to 12 key frames");
+    }
+    if options.full_after == 0 {
+        refused("a full refresh comes after 1 picture or more")
+    } else {
+        Ok(())
+    }
 }
 
 /// Where the two open pages are seen.

@@ -148,3 +148,29 @@ fn a_slow_panel_gets_fewer_and_many_end_in_a_full_refresh() {
     }
     assert!((1..=3).contains(&full), "{full} full refreshes");
 }
+
+#[test]
+fn what_no_panel_takes_is_refused_in_a_line() {
+    let book = open(MotionPolicy::EInk);
+    let sound = panel_options();
+    for (options, said) in [
+        (dogleaf_ffi::PanelOptions { du_us: 0, ..sound }, "waveform"),
+        (dogleaf_ffi::PanelOptions { glr16_us: Some(20_000_000), ..sound }, "waveform"),
+        (dogleaf_ffi::PanelOptions { key_frames: 0, ..sound }, "key frames"),
+        (dogleaf_ffi::PanelOptions { full_after: 0, ..sound }, "full refresh"),
+    ] {
+        let why = book.set_panel(options).expect_err("refused").to_string();
+        assert!(why.contains(said) && why.lines().count() == 1, "{why}");
+    }
+}
+
+#[test]
+fn a_panel_that_does_not_drive_white_is_not_asked_to() {
+    let book = open(MotionPolicy::EInk);
+    book.set_panel(dogleaf_ffi::PanelOptions { glr16_us: None, ..panel_options() }).expect("sound");
+    rest(&book, 1);
+    book.turn(true, 1).expect("a page");
+    let pictures = shown(&rest(&book, 2_000));
+    let last = pictures.last().expect("the page after").1;
+    assert_eq!(last.waveform, Waveform::Gl16, "{pictures:?}");
+}

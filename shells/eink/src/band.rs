@@ -4,12 +4,19 @@ use crate::pose::Faces;
 use crate::raster::{Span, Triangle, Vertex};
 use crate::rect::Rect;
 use crate::sheet::{COLUMNS, Corner, ROWS, Sheet};
-use crate::stage::Stage;
+use crate::stage::{SUB, Stage};
 
 /// Page pictures, as large as [`Stage::page`] says.
 pub trait Print {
     /// Brightness of a pixel: 0 black to 255 white. A panel of sixteen greys shows `17 n` exactly.
     fn luma(&self, page: u32, x: u16, y: u16) -> u8;
+
+    /// The same for a part of a row, from pixel `x` on: most of a page is copied so.
+    fn row(&self, page: u32, x: u16, y: u16, out: &mut [u8]) {
+        for (x, luma) in (x..).zip(out) {
+            *luma = self.luma(page, x, y);
+        }
+    }
 }
 
 /// What is on the panel.
@@ -86,7 +93,10 @@ impl<const CELLS: usize> Band<CELLS> {
         // The row above, for the outline that runs between both.
         self.rect = Rect { y0: rect.y0.saturating_sub(1), ..rect };
         self.pages(canvas);
-        if let Scene::Leaf(sheet) = canvas.scene {
+        if let Scene::Leaf(sheet) = canvas.scene
+            && !sheet.reach().intersection(self.rect).is_empty()
+        {
+            self.depth.fill(DEEPEST | PAGE);
             self.shadow(sheet);
             self.leaf(sheet, canvas);
             self.outline();
@@ -98,11 +108,10 @@ impl<const CELLS: usize> Band<CELLS> {
     fn pages<P: Print>(&mut self, canvas: &Canvas<'_, P>) {
         let rect = self.rect;
         let width = usize::from(rect.width()).max(1);
-        self.depth.fill(DEEPEST | PAGE);
         for (y, row) in (rect.y0..rect.y1).zip(self.luma.chunks_exact_mut(width)) {
             row.fill(MARGIN);
             for (left, area) in [true, false].into_iter().zip(canvas.stage.pages()) {
-                lay(row, rect.x0, y, area, left, canvas);
+                lay(row, [rect.x0, y], area, left, canvas);
             }
         }
     }
@@ -110,11 +119,11 @@ impl<const CELLS: usize> Band<CELLS> {
     fn shadow(&mut self, sheet: &Sheet) {
         let vertex = |c: &Corner, _: [i32; 2]| {
             let [x, y] = c.shadow;
-            Vertex { x, y, runs: [i32::from(c.dim), 0, 0, 0] }
+            Vertex { x, y, runs: [i32::from(c.dim)] }
         };
         self.triangles(sheet, [0; 2], vertex, |_, span, luma, depth| {
             let cells = luma.iter_mut().zip(depth.iter_mut());
-            span.pixels(cells, |(luma, depth), [dim, ..]| {
+            span.pixels(cells, |(luma, depth), [dim]| {
                 if *depth & KIND == PAGE {
                     *depth |= SHADED;
                     *luma = dimmed(*luma, dim);
@@ -144,26 +153,22 @@ impl<const CELLS: usize> Band<CELLS> {
     }
 
     /// Every triangle of the net that may cover pixels of the band, with the rows of it that do.
-    fn triangles(
+    fn triangles<const K: usize>(
         &mut self,
         sheet: &Sheet,
         page: [i32; 2],
-        vertex: impl Fn(&Corner, [i32; 2]) -> Vertex,
-        mut draw: impl FnMut(bool, &Span, &mut [u8], &mut [u16]),
+        vertex: impl Fn(&Corner, [i32; 2]) -> Vertex<K>,
+        mut draw: impl FnMut(bool, &Span<K>, &mut [u8], &mut [u16]),
     ) {
         let rect = self.rect;
         let rows = [i32::from(rect.y0), i32::from(rect.y1)];
         let columns = [i32::from(rect.x0), i32::from(rect.x1)];
         let width = usize::from(rect.width());
-        cells(sheet, page, vertex, |triangle| {
-            let [top, bottom] = triangle.rows();
-            if top >= rows[1] || bottom <= rows[0] {
-                return;
-            }
+        cells(sheet, page, rows, vertex, |triangle| {
             triangle.spans(rows, columns, |span| {
                 let start = (span.y - rows[0]) as usize * width;
-                let range = start + (span.x - columns[0]) as usize
-                    ..start + (span.end - columns[0]) as usize;
+                let inside = |x: i32| start + (x - columns[0]) as usize;
+                let range = inside(span.x)..inside(span.end);
                 if let (Some(luma), Some(depth)) =
                     (self.luma.get_mut(range.clone()), self.depth.get_mut(range))
                 {
@@ -202,14 +207,16 @@ fn dimmed(luma: u8, share: i32) -> u8 {
     (i32::from(luma) * share / 256).clamp(0, 255) as u8
 }
 
-/// Every triangle of the net that is seen.
-fn cells(
+/// Every triangle of the net with pixels in some rows.
+fn cells<const K: usize>(
     sheet: &Sheet,
     [w, h]: [i32; 2],
-    vertex: impl Fn(&Corner, [i32; 2]) -> Vertex,
-    mut draw: impl FnMut(&Triangle),
+    rows: [i32; 2],
+    vertex: impl Fn(&Corner, [i32; 2]) -> Vertex<K>,
+    mut draw: impl FnMut(&Triangle<K>),
 ) {
     let last = [COLUMNS - 1, ROWS - 1].map(|n| n.max(1) as i32);
+    let [top, bottom] = rows.map(|y| y * SUB);
     for (j, (inner, outer)) in sheet.corners.iter().zip(sheet.corners.iter().skip(1)).enumerate() {
         let us = [j as i32, j as i32 + 1].map(|j| j * w / last[0]);
         let pairs =
@@ -219,6 +226,10 @@ fn cells(
             let vs = [r as i32, r as i32 + 1].map(|r| h - r * h / last[1]);
             let [a, b] = [vertex(a, [us[0], vs[0]]), vertex(b, [us[1], vs[0]])];
             let [d, c] = [vertex(d, [us[0], vs[1]]), vertex(c, [us[1], vs[1]])];
+            let above = [a.y, b.y, c.y, d.y].iter().all(|&y| y < top);
+            if above || [a.y, b.y, c.y, d.y].iter().all(|&y| y >= bottom) {
+                continue;
+            }
             for triangle in [Triangle::new([a, b, c]), Triangle::new([a, c, d])] {
                 triangle.iter().for_each(&mut draw);
             }
@@ -226,19 +237,31 @@ fn cells(
     }
 }
 
-/// Lays a page's row over a row of the band.
-fn lay<P: Print>(row: &mut [u8], x0: u16, y: u16, area: Rect, left: bool, canvas: &Canvas<'_, P>) {
+/// Lays a page's row over a row of the band: in two parts where a turn is swept over it.
+fn lay<P: Print>(
+    row: &mut [u8],
+    [x0, y]: [u16; 2],
+    area: Rect,
+    left: bool,
+    canvas: &Canvas<'_, P>,
+) {
     if y < area.y0 || y >= area.y1 {
         return;
     }
-    for (x, luma) in (x0..).zip(row) {
-        if x < area.x0 || x >= area.x1 {
+    let edge = match canvas.scene {
+        Scene::Swept { edge, .. } => edge.clamp(area.x0, area.x1),
+        Scene::Rest | Scene::Leaf(_) => area.x0,
+    };
+    for (from, to) in [(area.x0, edge), (edge, area.x1)] {
+        let from = from.max(x0);
+        let part = usize::from(from - x0)..usize::from(to.saturating_sub(x0)).min(row.len());
+        let (Some(part), Some(page)) = (row.get_mut(part), face(left, from, canvas)) else {
             continue;
-        }
-        *luma = match face(left, x, canvas) {
-            Some(page) => read(canvas, page, x - area.x0, y - area.y0),
-            None => MARGIN,
         };
+        canvas.print.row(page, from - area.x0, y - area.y0, part);
+        if canvas.hard {
+            part.iter_mut().for_each(|luma| *luma = hard(*luma));
+        }
     }
 }
 
@@ -284,7 +307,7 @@ struct Taps {
 }
 
 impl Taps {
-    fn of(span: &Span, page: [i32; 2], mirrored: bool) -> Self {
+    fn of(span: &Span<4>, page: [i32; 2], mirrored: bool) -> Self {
         let [_, _, u, v] = span.slopes;
         let way = [u >> 16, v >> 16];
         let count = (way.iter().map(|w| w.abs()).max().unwrap_or(0) / 16 + 1).clamp(1, TAPS);

@@ -181,6 +181,12 @@ impl Planner {
         Some(update)
     }
 
+    /// Whether a leaf that has come so far would be shown now: worth asking before it is looked at closely.
+    #[must_use]
+    pub fn is_due(&self, now_us: u64, progress: u16, held: bool) -> bool {
+        now_us >= self.busy_until_us && self.settled.is_some() && self.is_far(progress, held)
+    }
+
     /// When the panel is done with what it shows.
     #[must_use]
     pub fn busy_until_us(&self) -> u64 {
@@ -219,8 +225,7 @@ impl Planner {
 
     /// A key frame, if the leaf has come far enough.
     fn follow(&mut self, leaf: &Aloft) -> Option<Update> {
-        let keys = self.policy.keys(&self.panel);
-        if !self.is_due(leaf, keys) {
+        if !self.is_far(leaf.progress, leaf.held) {
             return None;
         }
         self.free = if leaf.held { 0 } else { self.free + 1 };
@@ -240,14 +245,16 @@ impl Planner {
         Some(self.moving(rect))
     }
 
-    fn is_due(&self, leaf: &Aloft, keys: u8) -> bool {
+    /// The leaf has come a share of its way since the last picture.
+    fn is_far(&self, progress: u16, held: bool) -> bool {
+        let keys = self.policy.keys(&self.panel);
         let last = self.shown.map_or(0, |s| s.progress);
-        if leaf.held {
-            return leaf.progress.abs_diff(last) >= 1_024 / (u16::from(keys) + 1);
+        if held {
+            return progress.abs_diff(last) >= 1_024 / (u16::from(keys) + 1);
         }
         // The next share of the way that is not behind it yet.
         let next = self.policy.next(last, keys);
-        self.free < keys && next.is_some_and(|t| leaf.progress >= t)
+        self.free < keys && next.is_some_and(|t| progress >= t)
     }
 
     /// Columns the edge has passed since the last picture.

@@ -55,13 +55,28 @@ impl<'a> Built<'a> {
         2 + 2 * usize::from(self.size[0]).div_ceil(SIDE).div_ceil(8)
     }
 
-    fn level(&self, page: u32, x: u16, y: u16) -> Option<u8> {
+    /// The bytes of a page; its strips stand first.
+    fn page(&self, page: u32) -> Option<&'a [u8]> {
         let page =
             page.checked_sub(u32::from(self.first)).filter(|&p| p < u32::from(self.pages))?;
-        let start = u32_at(self.bytes, HEAD + 4 * page as usize)? as usize;
-        let page = self.bytes.get(start..)?;
+        self.bytes.get(u32_at(self.bytes, HEAD + 4 * page as usize)? as usize..)
+    }
+
+    /// Bytes of a page's strips.
+    fn strips(&self) -> usize {
+        usize::from(self.size[1]).div_ceil(SIDE) * self.strip()
+    }
+
+    fn level(&self, page: u32, x: u16, y: u16) -> Option<u8> {
+        let page = self.page(page)?;
         let (x, y) = (usize::from(x), usize::from(y));
         let strip = page.get(y / SIDE * self.strip()..)?;
+        let pair = *page.get(self.tile(strip, x)? + (y % SIDE * SIDE + x % SIDE) / 2)?;
+        Some(if x.is_multiple_of(2) { pair & 15 } else { pair >> 4 })
+    }
+
+    /// Where in its page the tile of column `x` begins; none if it is blank.
+    fn tile(&self, strip: &[u8], x: usize) -> Option<usize> {
         let (column, bit) = (x / SIDE / 8, x / SIDE % 8);
         let there = *strip.get(2 + 2 * column)?;
         if there >> bit & 1 == 0 {
@@ -70,16 +85,35 @@ impl<'a> Built<'a> {
         let before = usize::from(u16_at(strip, 0)?)
             + usize::from(*strip.get(3 + 2 * column)?)
             + usize::from(BITS.get(usize::from(there & ((1 << bit) - 1))).copied()?);
-        let strips = usize::from(self.size[1]).div_ceil(SIDE) * self.strip();
-        let inside = y % SIDE * SIDE + x % SIDE;
-        let pair = *page.get(strips + before * TILE + inside / 2)?;
-        Some(if inside.is_multiple_of(2) { pair & 15 } else { pair >> 4 })
+        Some(self.strips() + before * TILE)
     }
 }
 
 impl Print for Built<'_> {
     fn luma(&self, page: u32, x: u16, y: u16) -> u8 {
         self.level(page, x, y).map_or(BLANK, |level| level * 17)
+    }
+
+    fn row(&self, page: u32, x: u16, y: u16, out: &mut [u8]) {
+        let (x, y) = (usize::from(x), usize::from(y));
+        let bytes = self.page(page).unwrap_or_default();
+        let strip = bytes.get(y / SIDE * self.strip()..).unwrap_or_default();
+        // A tile at a time; the first may be entered in its middle.
+        let (mut x, mut rest) = (x, out);
+        while !rest.is_empty() {
+            let (part, others) = rest.split_at_mut((SIDE - x % SIDE).min(rest.len()));
+            let tile = self.tile(strip, x).map(|at| at + y % SIDE * (SIDE / 2));
+            match tile.and_then(|at| bytes.get(at..)?.first_chunk::<2>()) {
+                Some(pairs) => {
+                    let four = [pairs[0] & 15, pairs[0] >> 4, pairs[1] & 15, pairs[1] >> 4];
+                    let levels = four.iter().skip(x % SIDE);
+                    part.iter_mut().zip(levels).for_each(|(luma, level)| *luma = level * 17);
+                }
+                None => part.fill(BLANK),
+            }
+            x += part.len();
+            rest = others;
+        }
     }
 }
 

@@ -158,10 +158,13 @@ impl<'a> Desk<'a> {
     }
 
     fn key(&mut self, pose: &Pose, faces: Faces, watch: &mut impl Watch) {
+        let progress = pose.progress();
+        if !self.planner.is_due(self.now_us, progress, self.held) {
+            return;
+        }
         watch.part(Part::Raster);
         self.room.sheet.look(pose, &self.stage);
         watch.part(Part::Other);
-        let progress = pose.progress();
         let aloft = Aloft {
             progress,
             reach: self.room.sheet.reach(),
