@@ -58,7 +58,7 @@ export function bookOptions(wanted) {
  */
 export class DogleafError extends Error {
     /**
-     * @param {"closed" | "busy" | "noSuchPage" | "paused" | "refused" | "pointer" | "recording" | "broken"} kind
+     * @param {"closed" | "busy" | "noSuchPage" | "paused" | "refused" | "pointer" | "recording"} kind
      * @param {string} line
      */
     constructor(kind, line) {
