@@ -4,8 +4,8 @@ use crate::error::Refused;
 use crate::mesh::{Mesh, Paper};
 use crate::options::BookOptions;
 use crate::view::{Gaze, view};
-use dogleaf_core::hand::{Sample, View};
-use dogleaf_core::reading::{Frame, Notice, Tape, Tick};
+use dogleaf_core::hand::Sample;
+use dogleaf_core::reading::{Frame, Notice, Tick};
 use dogleaf_core::record::{RecordError, Recorder, Sink};
 use dogleaf_core::step::StepReport;
 
@@ -20,22 +20,6 @@ impl Sink for Bytes {
     }
 }
 
-/// A recording, while one is wanted. A full one takes no more and can still be ended, so that it says so is not told.
-#[derive(Debug, Default)]
-struct Journal(Option<Recorder<Bytes>>);
-
-impl Tape for Journal {
-    fn input(&mut self, sample: &Sample) {
-        let _ = self.0.as_mut().map(|r| r.input(sample));
-    }
-    fn look(&mut self, view: &View) {
-        let _ = self.0.as_mut().map(|r| r.look(view));
-    }
-    fn step(&mut self, hash: impl FnOnce() -> u64) {
-        let _ = self.0.as_mut().map(|r| r.step(hash()));
-    }
-}
-
 /// Numbers of what a step answers beside its bits: see [`Desk::figures`].
 pub const FIGURES: usize = 12;
 
@@ -43,7 +27,8 @@ pub const FIGURES: usize = 12;
 #[derive(Debug)]
 pub struct Desk {
     paper: Box<Paper>,
-    journal: Journal,
+    /// A recording, while one is wanted.
+    journal: Option<Recorder<Bytes>>,
     /// What a renderer uploads.
     pub mesh: Mesh,
     report: StepReport,
@@ -76,7 +61,7 @@ impl Desk {
     fn empty() -> Self {
         Self {
             paper: Box::new(Paper::EMPTY),
-            journal: Journal::default(),
+            journal: None,
             mesh: Mesh::default(),
             report: StepReport::default(),
         }
@@ -171,7 +156,7 @@ impl Desk {
     /// `recording`, and nothing was changed.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), Refused> {
         self.paper.restore(bytes)?;
-        self.journal = Journal::default();
+        self.journal = None;
         self.mesh.make(&self.paper);
         Ok(())
     }
@@ -191,7 +176,7 @@ impl Desk {
         let setup = self.paper.setup();
         self.paper.open(&setup)?;
         let grid = Recorder::start::<f32, dogleaf_core::grid::G11x8>(Bytes::default(), &setup)?;
-        self.journal.0 = Some(grid);
+        self.journal = Some(grid);
         Ok(())
     }
 
@@ -201,7 +186,7 @@ impl Desk {
     ///
     /// `recording`: none was started, or a restore dropped it.
     pub fn stop_recording(&mut self) -> Result<Vec<u8>, Refused> {
-        let journal = self.journal.0.take();
+        let journal = self.journal.take();
         let none = || Refused::new("recording", "nothing is being recorded");
         Ok(journal.ok_or_else(none)?.finish()?.0)
     }
