@@ -780,7 +780,7 @@ public protocol BookProtocol: AnyObject, Sendable {
      *
      * # Errors
      *
-     * `Closed`.
+     * `Refused`: what no panel takes; `Closed`.
      */
     func setPanel(options: PanelOptions) throws
 
@@ -1232,7 +1232,7 @@ open func setMotion(motion: Motion)throws   {try rustCallWithError(FfiConverterT
      *
      * # Errors
      *
-     * `Closed`.
+     * `Refused`: what no panel takes; `Closed`.
      */
 open func setPanel(options: PanelOptions)throws   {try rustCallWithError(FfiConverterTypeDogleafError_lift) {
         uniffiCallStatus in
@@ -2228,6 +2228,10 @@ public struct PanelOptions: Equatable, Hashable {
      */
     public var gl16Us: UInt32
     /**
+     * The same where white is driven anew; none if the panel cannot.
+     */
+    public var glr16Us: UInt32?
+    /**
      * Microseconds of a full refresh.
      */
     public var gc16Us: UInt32
@@ -2256,6 +2260,9 @@ public struct PanelOptions: Equatable, Hashable {
          * Microseconds of an update in greys.
          */gl16Us: UInt32,
         /**
+         * The same where white is driven anew; none if the panel cannot.
+         */glr16Us: UInt32?,
+        /**
          * Microseconds of a full refresh.
          */gc16Us: UInt32,
         /**
@@ -2268,6 +2275,7 @@ public struct PanelOptions: Equatable, Hashable {
         self.a2Us = a2Us
         self.duUs = duUs
         self.gl16Us = gl16Us
+        self.glr16Us = glr16Us
         self.gc16Us = gc16Us
         self.keyFrames = keyFrames
         self.fullAfter = fullAfter
@@ -2293,6 +2301,7 @@ public struct FfiConverterTypePanelOptions: FfiConverterRustBuffer {
                 a2Us: FfiConverterOptionUInt32.read(from: &buf),
                 duUs: FfiConverterUInt32.read(from: &buf),
                 gl16Us: FfiConverterUInt32.read(from: &buf),
+                glr16Us: FfiConverterOptionUInt32.read(from: &buf),
                 gc16Us: FfiConverterUInt32.read(from: &buf),
                 keyFrames: FfiConverterUInt8.read(from: &buf),
                 fullAfter: FfiConverterUInt16.read(from: &buf)
@@ -2304,6 +2313,7 @@ public struct FfiConverterTypePanelOptions: FfiConverterRustBuffer {
         FfiConverterOptionUInt32.write(value.a2Us, into: &buf)
         FfiConverterUInt32.write(value.duUs, into: &buf)
         FfiConverterUInt32.write(value.gl16Us, into: &buf)
+        FfiConverterOptionUInt32.write(value.glr16Us, into: &buf)
         FfiConverterUInt32.write(value.gc16Us, into: &buf)
         FfiConverterUInt8.write(value.keyFrames, into: &buf)
         FfiConverterUInt16.write(value.fullAfter, into: &buf)
@@ -4705,7 +4715,7 @@ private let initializationResult: InitializationResult = {
     if (uniffi_dogleaf_ffi_checksum_method_book_set_motion() != 30706) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_dogleaf_ffi_checksum_method_book_set_panel() != 25164) {
+    if (uniffi_dogleaf_ffi_checksum_method_book_set_panel() != 52584) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_dogleaf_ffi_checksum_method_book_shut() != 57819) {

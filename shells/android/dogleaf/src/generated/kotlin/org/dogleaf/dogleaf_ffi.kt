@@ -1006,7 +1006,7 @@ private fun uniffiCheckApiChecksums(lib: IntegrityCheckingUniffiLib) {
     if ((lib.uniffi_dogleaf_ffi_checksum_method_book_set_motion() and 0xFFFF) != 30706) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
-    if ((lib.uniffi_dogleaf_ffi_checksum_method_book_set_panel() and 0xFFFF) != 25164) {
+    if ((lib.uniffi_dogleaf_ffi_checksum_method_book_set_panel() and 0xFFFF) != 52584) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
     if ((lib.uniffi_dogleaf_ffi_checksum_method_book_shut() and 0xFFFF) != 57819) {
@@ -1692,7 +1692,7 @@ public interface BookInterface {
      *
      * # Errors
      *
-     * `Closed`.
+     * `Refused`: what no panel takes; `Closed`.
      */
     fun `setPanel`(`options`: PanelOptions)
 
@@ -2228,7 +2228,7 @@ open class Book: Disposable, AutoCloseable, BookInterface
      *
      * # Errors
      *
-     * `Closed`.
+     * `Refused`: what no panel takes; `Closed`.
      */
     @Throws(DogleafException::class)override fun `setPanel`(`options`: PanelOptions)
         =
@@ -3159,6 +3159,11 @@ data class PanelOptions (
     var `gl16Us`: kotlin.UInt
     ,
     /**
+     * The same where white is driven anew; none if the panel cannot.
+     */
+    var `glr16Us`: kotlin.UInt?
+    ,
+    /**
      * Microseconds of a full refresh.
      */
     var `gc16Us`: kotlin.UInt
@@ -3192,6 +3197,7 @@ public object FfiConverterTypePanelOptions: FfiConverterRustBuffer<PanelOptions>
             FfiConverterOptionalUInt.read(buf),
             FfiConverterUInt.read(buf),
             FfiConverterUInt.read(buf),
+            FfiConverterOptionalUInt.read(buf),
             FfiConverterUInt.read(buf),
             FfiConverterUByte.read(buf),
             FfiConverterUShort.read(buf),
@@ -3203,6 +3209,7 @@ public object FfiConverterTypePanelOptions: FfiConverterRustBuffer<PanelOptions>
             FfiConverterOptionalUInt.allocationSize(value.`a2Us`) +
             FfiConverterUInt.allocationSize(value.`duUs`) +
             FfiConverterUInt.allocationSize(value.`gl16Us`) +
+            FfiConverterOptionalUInt.allocationSize(value.`glr16Us`) +
             FfiConverterUInt.allocationSize(value.`gc16Us`) +
             FfiConverterUByte.allocationSize(value.`keyFrames`) +
             FfiConverterUShort.allocationSize(value.`fullAfter`)
@@ -3213,6 +3220,7 @@ public object FfiConverterTypePanelOptions: FfiConverterRustBuffer<PanelOptions>
             FfiConverterOptionalUInt.write(value.`a2Us`, buf)
             FfiConverterUInt.write(value.`duUs`, buf)
             FfiConverterUInt.write(value.`gl16Us`, buf)
+            FfiConverterOptionalUInt.write(value.`glr16Us`, buf)
             FfiConverterUInt.write(value.`gc16Us`, buf)
             FfiConverterUByte.write(value.`keyFrames`, buf)
             FfiConverterUShort.write(value.`fullAfter`, buf)
