@@ -310,7 +310,9 @@ impl Taps {
     fn of(span: &Span<4>, page: [i32; 2], mirrored: bool) -> Self {
         let [_, _, u, v] = span.slopes;
         let way = [u >> 16, v >> 16];
-        let count = (way.iter().map(|w| w.abs()).max().unwrap_or(0) / 16 + 1).clamp(1, TAPS);
+        // One to a pixel of the page, to the nearest.
+        let longest = way.iter().map(|w| w.abs()).max().unwrap_or(0);
+        let count = ((longest + 8) / 16).clamp(1, TAPS);
         Self { count, step: way.map(|w| w / count), last: page.map(|n| n - 1), mirrored }
     }
 
