@@ -8,7 +8,7 @@ use crate::boards::{M0, M4F, M7, Processor};
 use crate::tally::Tally;
 use crate::words::{Result, Stop, no_args};
 pub(crate) use figures::Figures;
-use image::Image;
+pub(crate) use image::Image;
 
 const KIB: u64 = 1024;
 /// Code and constants: what we want, and what we have. The second may only fall.

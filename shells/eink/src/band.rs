@@ -249,7 +249,7 @@ fn lay<P: Print>(
         return;
     }
     let edge = match canvas.scene {
-        Scene::Swept { edge, .. } => edge.clamp(area.x0, area.x1),
+        Scene::Swept { edge, .. } => edge.max(area.x0).min(area.x1),
         Scene::Rest | Scene::Leaf(_) => area.x0,
     };
     for (from, to) in [(area.x0, edge), (edge, area.x1)] {
@@ -323,9 +323,9 @@ impl Taps {
         for n in 0..self.count {
             let off = 2 * n + 1 - self.count;
             let at = |c: i32, step: i32| (c + off * step / 2) >> 4;
-            let x = at(u, self.step[0]).clamp(0, last_x);
+            let x = at(u, self.step[0]).min(last_x).max(0);
             let x = if self.mirrored { last_x - x } else { x };
-            let y = at(v, self.step[1]).clamp(0, last_y);
+            let y = at(v, self.step[1]).min(last_y).max(0);
             sum += i32::from(read(canvas, page, x as u16, y as u16));
         }
         (sum / self.count.max(1)) as u8

@@ -260,7 +260,7 @@ impl Planner {
     /// Columns the edge has passed since the last picture.
     fn stripe(&self, before: Option<Shown>, leaf: &Aloft) -> Rect {
         let pages = self.pages;
-        let inside = |x: u16| x.clamp(pages.x0, pages.x1);
+        let inside = |x: u16| x.max(pages.x0).min(pages.x1);
         let from = before.map_or_else(
             || if leaf.edge_x > pages.x0 + pages.width() / 2 { pages.x1 } else { pages.x0 },
             |b| inside(b.edge_x),

@@ -35,7 +35,8 @@ impl Text {
     pub fn number(&mut self, number: u32, width: u32) -> &mut Self {
         let mut begun = false;
         for place in (0..10).rev() {
-            let digit = (number / 10_u32.pow(place)) % 10;
+            // A power of ten is never nothing, but the compiler would keep the panic.
+            let digit = number.checked_div(10_u32.wrapping_pow(place)).unwrap_or(0) % 10;
             begun |= digit > 0 || place == 0;
             if begun {
                 self.byte(b'0' + digit as u8);

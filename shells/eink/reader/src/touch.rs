@@ -5,7 +5,7 @@ use dogleaf_core::hand::{Phase, Sample};
 /// Samples in the order they were recorded.
 #[derive(Debug, Clone)]
 pub struct Touches<'a> {
-    lines: core::str::Lines<'a>,
+    rest: &'a [u8],
     next: Option<Sample>,
 }
 
@@ -13,7 +13,7 @@ impl<'a> Touches<'a> {
     /// Of a file's text. What is no sample is passed over.
     #[must_use]
     pub fn of(text: &'a str) -> Self {
-        let mut touches = Self { lines: text.lines(), next: None };
+        let mut touches = Self { rest: text.as_bytes(), next: None };
         touches.read();
         touches
     }
@@ -31,22 +31,29 @@ impl<'a> Touches<'a> {
         Some(sample)
     }
 
+    /// Lines are cut by hand, here and below: the searches of `str` would bring panics into the firmware.
     fn read(&mut self) {
-        self.next = self.lines.find_map(sample);
+        self.next = None;
+        while self.next.is_none() && !self.rest.is_empty() {
+            let end = self.rest.iter().position(|b| *b == b'\n').unwrap_or(self.rest.len());
+            let (line, rest) = self.rest.split_at_checked(end).unwrap_or_default();
+            self.rest = rest.get(1..).unwrap_or_default();
+            self.next = sample(line);
+        }
     }
 }
 
-fn sample(line: &str) -> Option<Sample> {
-    let phase = match after(line, "\"phase\":\"")?.bytes().next()? {
+fn sample(line: &[u8]) -> Option<Sample> {
+    let phase = match after(line, b"\"phase\":\"")?.first()? {
         b'd' => Phase::Down,
         b'm' => Phase::Move,
         b'u' => Phase::Up,
         b'c' => Phase::Cancel,
         _ => return None,
     };
-    let [t_us, id] = [number(line, "\"t_us\":")?, number(line, "\"id\":")?];
-    let [x, y] = [number(line, "\"x\":")?, number(line, "\"y\":")?];
-    let leaves = number(line, "\"leaves\":").unwrap_or(0);
+    let [t_us, id] = [number(line, b"\"t_us\":")?, number(line, b"\"id\":")?];
+    let [x, y] = [number(line, b"\"x\":")?, number(line, b"\"y\":")?];
+    let leaves = number(line, b"\"leaves\":").unwrap_or(0);
     Some(Sample {
         t_us: u64::try_from(t_us).ok()?,
         id: u8::try_from(id).ok()?,
@@ -57,13 +64,19 @@ fn sample(line: &str) -> Option<Sample> {
     })
 }
 
-fn after<'t>(line: &'t str, key: &str) -> Option<&'t str> {
-    line.split_once(key).map(|(_, rest)| rest)
+/// What stands after a key.
+fn after<'t>(line: &'t [u8], key: &[u8]) -> Option<&'t [u8]> {
+    (0..line.len()).find_map(|at| line.get(at..)?.strip_prefix(key))
 }
 
 /// The whole number that stands after a key.
-fn number(line: &str, key: &str) -> Option<i64> {
-    let rest = after(line, key)?.trim_start();
-    let end = rest.find([',', '}']).unwrap_or(rest.len());
-    rest.get(..end)?.trim_end().parse().ok()
+fn number(line: &[u8], key: &[u8]) -> Option<i64> {
+    let rest = after(line, key)?.trim_ascii_start();
+    let (negative, digits) = rest.strip_prefix(b"-").map_or((false, rest), |rest| (true, rest));
+    let mut sum: Option<i64> = None;
+    for digit in digits.iter().take_while(|b| b.is_ascii_digit()) {
+        let more = i64::from(digit & 15);
+        sum = Some(sum.unwrap_or(0).checked_mul(10)?.checked_add(more)?);
+    }
+    sum.map(|n| if negative { -n } else { n })
 }
