@@ -84,7 +84,7 @@ fn renew() -> std::result::Result<(), String> {
 
 impl Session {
     fn play(processor: Processor) -> std::result::Result<Self, String> {
-        let image = processor.build("read", "")?;
+        let image = processor.build("read", "reader")?;
         let (well, said) = processor.run(&image)?;
         let looked = Image::read(&image)?;
         let forbidden = [looked.panics, looked.allocators].concat();

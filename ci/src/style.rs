@@ -54,7 +54,15 @@ pub(crate) fn lint(args: &[String]) -> Result {
     list.push(clippy(&["--manifest-path", WEB, "--all-targets", "--all-features"]));
     // Without the target `hashes` says that it is missing.
     if tools::target(BOARD).is_ok() {
-        list.push(clippy(&["--manifest-path", FIRMWARE, "--bins", "--target", BOARD]));
+        list.push(clippy(&[
+            "--manifest-path",
+            FIRMWARE,
+            "--bins",
+            "--features",
+            "reader",
+            "--target",
+            BOARD,
+        ]));
     }
     run_each(list)?;
     Ok(Tally::default())

@@ -7,6 +7,7 @@
 
 pub mod clock;
 pub mod memory;
+#[cfg(feature = "reader")]
 pub mod meter;
 #[cfg(feature = "planted")]
 pub mod planted;
