@@ -277,9 +277,9 @@ pub(crate) struct EinkArgs {
     /// The panel.
     #[arg(long, value_enum, default_value_t)]
     pub(crate) panel: PanelName,
-    /// Pixels of the panel.
-    #[arg(long, value_name = "WxH", default_value = "800x600", value_parser = panel_size)]
-    pub(crate) size: [u32; 2],
+    /// Pixels of the panel; if not given its own, 800x600 or 800x480.
+    #[arg(long, value_name = "WxH", value_parser = panel_size)]
+    pub(crate) size: Option<[u16; 2]>,
     /// How many pages are seen.
     #[arg(long, value_enum, default_value_t)]
     pub(crate) layout: LayoutName,
@@ -298,9 +298,11 @@ pub(crate) struct EinkArgs {
 }
 
 /// `800x600`.
-fn panel_size(text: &str) -> Result<[u32; 2], String> {
+fn panel_size(text: &str) -> Result<[u16; 2], String> {
     let sides = size(text).ok().filter(|s| s.iter().all(|s| (64..=2_048).contains(s)));
-    sides.ok_or_else(|| "write it as 800x600, sides of 64 to 2048".to_owned())
+    sides
+        .map(|s| s.map(|side| side as u16))
+        .ok_or_else(|| "write it as 800x600, sides of 64 to 2048".to_owned())
 }
 
 /// Writes the gestures of `fixtures/gestures` anew.

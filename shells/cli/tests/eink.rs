@@ -42,7 +42,8 @@ fn a_turn_is_a_few_pictures_and_then_the_page() {
 
 #[test]
 fn a_module_shows_one_picture_and_a_stripe_is_narrow() {
-    let found = plan(&["--panel", "module", "--size", "800x480", "--layout", "single"]);
+    let found = plan(&["--panel", "module", "--layout", "single"]);
+    assert_eq!(found["pictures"][0]["rect"], serde_json::json!([0, 0, 800, 480]), "its own size");
     assert_eq!(pictures(&found).len(), 4, "{found}");
     let stripes = plan(&["--style", "stripe", "--direction", "rtl"]);
     let driven = |p: &Value| p["driven_px"].as_u64().expect("a number");

@@ -201,16 +201,14 @@ impl Planner {
 
     /// What the panel shows is lost (it was off, something else was drawn): the next page is a full refresh.
     pub fn forget(&mut self) {
-        let fresh = Self { busy_until_us: self.busy_until_us, pages: self.pages, ..*self };
-        *self = Self {
-            settled: None,
-            shown: None,
-            two_tone: Rect::NONE,
-            touched: Rect::NONE,
-            free: 0,
-            partial: 0,
-            ..fresh
-        };
+        self.rest();
+        (self.settled, self.partial) = (None, 0);
+    }
+
+    /// No leaf is on the panel any more.
+    fn rest(&mut self) {
+        (self.shown, self.free) = (None, 0);
+        (self.two_tone, self.touched) = (Rect::NONE, Rect::NONE);
     }
 
     /// Partial pictures since the last full refresh.
@@ -296,10 +294,7 @@ impl Planner {
         let part = self.touched.union(turned).aligned(self.panel.width);
         let rect = if full { self.panel.whole() } else { part };
         self.settled = Some(*faces);
-        self.shown = None;
-        self.two_tone = Rect::NONE;
-        self.touched = Rect::NONE;
-        self.free = 0;
+        self.rest();
         self.partial = if full { 0 } else { self.partial.saturating_add(1) };
         Some(self.update(rect, settled(&self.panel, full), Picture::Settled))
     }

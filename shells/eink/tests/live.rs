@@ -101,3 +101,28 @@ fn the_panel_is_never_hurried_and_rests() {
     assert!(more.is_empty(), "{} pictures in ten seconds of rest", more.len());
     assert!(!board.reading.needs_frame() || board.reading.book().leaf().is_none(), "at rest");
 }
+
+/// A leaf is taken up while the panel is still busy with the page before, and thrown over at once: key frames may be lost,
+/// the page after is not.
+#[test]
+fn a_turn_on_a_busy_panel_still_ends_exact() {
+    let mut board = board();
+    let _ = drag(&mut board, 120, false);
+    let before = board.reading.page();
+    let busy = board.planner.busy_until_us();
+    let mut seen = Vec::new();
+    let mut now = busy.max(6_100_000);
+    // A key is pressed in the middle of the full refresh of a panel that lost its picture.
+    board.planner.forget();
+    frame(&mut board, now, false, &mut seen);
+    assert_eq!(seen.len(), 1, "the page again");
+    board.reading.turn(true, 1).expect("a page");
+    for _ in 0..300 {
+        now += FRAME_US;
+        frame(&mut board, now, false, &mut seen);
+    }
+    assert_eq!(board.reading.page(), before + 2, "it was turned");
+    assert_eq!(seen.last().map(|(_, s)| s.update.picture), Some(Picture::Settled), "{seen:?}");
+    let (ideal, told): (Vec<u8>, Vec<u8>) = (board.ideal(), board.glass().told().collect());
+    assert!(ideal == told, "the page after, exact");
+}

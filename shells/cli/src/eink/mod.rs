@@ -19,8 +19,9 @@ use prints::Prints;
 pub(crate) fn eink(args: &EinkArgs) -> Result<(), CliError> {
     let content = Book::open(&args.book)?;
     let book = shape::spec(&content, args.page, args.direction.into(), &shown(&args.book))?;
-    let panel =
-        Panel { width: args.size[0] as u16, height: args.size[1] as u16, ..args.panel.into() };
+    let panel = Panel::from(args.panel);
+    let [width, height] = args.size.unwrap_or([panel.width, panel.height]);
+    let panel = Panel { width, height, ..panel };
     let layout = layout(args.layout, &book);
     let stage = Stage::new(&book, &panel, layout).map_err(|e| CliError::Call(e.to_string()))?;
     let prints = Prints::new(content, &stage);
