@@ -18,7 +18,8 @@ struct Abi {
     triple: &'static str,
     /// What the linker calls it.
     emulation: &'static str,
-    /// Bytes of the stripped library at most: what we have. It may only fall.
+    /// Bytes of the stripped library at most: what we have. It may only fall, unless an app gets more for it: the planner
+    /// for electronic paper and its words took 21 kB.
     most: u64,
 }
 
@@ -27,13 +28,13 @@ const ABIS: [Abi; 2] = [
         name: "arm64-v8a",
         triple: "aarch64-linux-android",
         emulation: "aarch64linux",
-        most: 704 * 1024,
+        most: 724 * 1024,
     },
     Abi {
         name: "x86_64",
         triple: "x86_64-linux-android",
         emulation: "elf_x86_64",
-        most: 816 * 1024,
+        most: 837 * 1024,
     },
 ];
 /// What we want of each.
