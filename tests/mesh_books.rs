@@ -1,14 +1,11 @@
 //! Resting books of every size: one leaf to five thousand, first page to last, hard and soft, wide and tall.
 
-#[path = "mesh_support.rs"]
-mod support;
-
+use crate::meshes::{Eleven, Mesh, check};
 use dogleaf_core::Book;
 use dogleaf_core::grid::G11x8;
 use dogleaf_core::hand::View;
 use dogleaf_core::mesh::{BOARD_M, Surface, table_drop_m};
 use dogleaf_core::scene::{BookSpec, Cover, Direction, Fidelity, PaperSpec, Preset, WorldSpec};
-use support::{Eleven, Mesh, check};
 
 fn drawn(spec: &BookSpec, paper: &PaperSpec, book: &mut Eleven) -> Mesh {
     let view = View::reading(spec.width_m, spec.height_m, 960, 720);

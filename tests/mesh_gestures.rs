@@ -1,12 +1,9 @@
 //! The mesh is closed, turned outwards and of true width whatever a hand does: random gestures on thin
 //! and thick books, single leaves and stacks, first page to last, both reading directions.
 
-#[path = "mesh_support.rs"]
-mod support;
-
+use crate::meshes::{Case, Eleven, Mesh, check};
 use dogleaf_core::Book;
 use dogleaf_core::grid::G11x8;
-use support::{Case, Eleven, Mesh, check};
 
 /// Frames between two looks.
 const EVERY: usize = 7;

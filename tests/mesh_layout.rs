@@ -1,14 +1,11 @@
 //! The buffers' layout: the same for every frame, refused when too short, and where a page's picture goes.
 
-#[path = "mesh_support.rs"]
-mod support;
-
+use crate::meshes::{Case, Eleven, Mesh, check, closed, distance, sound, upright};
 use dogleaf_core::Book;
 use dogleaf_core::book::LoneLeaf;
 use dogleaf_core::grid::{G6x5, G8x6, G11x8, G12x9, G16x12, G22x16, G32x24, Grid};
 use dogleaf_core::mesh::{Layout, MeshError, Surface, Vertex, indices, lone_vertices, vertices};
 use dogleaf_core::scene::{Fidelity, LeafSpec, PaperSpec, WorldSpec};
-use support::{Case, Eleven, Mesh, check, closed, sound, upright};
 
 fn a_case() -> Case {
     Case::random(2)
@@ -79,7 +76,7 @@ fn double_precision_draws_the_same_book() {
     assert_eq!(a.counts, b.counts, "the same parts");
     for part in a.counts.parts.iter().filter(|p| p.visible) {
         for (v, w) in a.of(part.surface).iter().zip(b.of(part.surface)) {
-            let off = support::distance(v.position, w.position);
+            let off = distance(v.position, w.position);
             assert!(off < 1e-6, "{:?} is {off} m off", part.surface);
         }
     }
@@ -174,12 +171,12 @@ fn a_lying_leaf_is_drawn_where_its_block_had_it() {
     let rows = Layout::<G11x8>::ROWS;
     for is in mesh.of(Surface::LeafUp).chunks(rows).map(|column| &column[0]) {
         let was = printed_at(&before, is.uv[0]);
-        let off = support::distance(was, is.position);
+        let off = distance(was, is.position);
         // The net's first nodes round the shoulder of the gutter a little more than the block's.
         assert!(off < 6e-4, "the tail edge's picture jumps by {off} m at u = {}", is.uv[0]);
     }
     let shifted = printed_at(&before, 0.51);
-    let off = support::distance(shifted, printed_at(&before, 0.5));
+    let off = distance(shifted, printed_at(&before, 0.5));
     assert!(off > 6e-4, "a shift of a hundredth of the picture would be seen");
 }
 

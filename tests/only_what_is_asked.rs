@@ -3,9 +3,7 @@
 //!
 //! That what nobody asked for is not even in an image is seen by `cargo ci size`.
 
-#[path = "mesh_support.rs"]
-mod support;
-
+use crate::meshes::Mesh;
 use dogleaf_core::Book;
 use dogleaf_core::grid::G11x8;
 use dogleaf_core::hand::Sample;
@@ -13,7 +11,6 @@ use dogleaf_core::step::StepReport;
 use dogleaf_tests::gesture::{FRAME_US, Gesture, Scene, play};
 use std::hint::black_box;
 use std::time::Instant;
-use support::Mesh;
 
 /// Pictures of the turn that is compared.
 const FRAMES: u32 = 150;

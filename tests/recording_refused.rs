@@ -1,8 +1,7 @@
 //! Promise: whatever bytes come as a recording, the answer is a recording or one clear error: no panic,
 //! no endless loop, no number that is none.
 
-mod recorded;
-
+use crate::recorded::{Bytes, CRC, END, finite, play, record, recorder, seal, setup, turn};
 use dogleaf_core::Book;
 use dogleaf_core::grid::{G6x5, G8x6, Grid};
 use dogleaf_core::real::Real;
@@ -11,7 +10,6 @@ use dogleaf_core::record::{
     replay,
 };
 use dogleaf_core::scene::{Formulation, SpecError};
-use recorded::{Bytes, CRC, END, finite, play, record, recorder, seal, setup, turn};
 
 /// A hand that lifts a leaf and lets it go, on the smallest grid.
 fn short() -> Vec<u8> {

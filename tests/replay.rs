@@ -1,10 +1,9 @@
 //! Promise: a recording replays hash by hash, and where it does not, the first step that differs is named.
 
-mod recorded;
-
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 
+use crate::recorded::{finite, open, play, record, recorder, setup, turn};
 use dogleaf_core::event::Event;
 use dogleaf_core::grid::{G6x5, G8x6, G11x8, G16x12, Grid};
 use dogleaf_core::hand::{Phase, Sample, View};
@@ -14,7 +13,6 @@ use dogleaf_core::record::{
     Verdict, replay, replay_with,
 };
 use dogleaf_core::scene::{Cover, Direction, Fidelity, Formulation, Handling, Pages, Weights};
-use recorded::{finite, open, play, record, recorder, setup, turn};
 
 /// Steps until a turn of a second has come to rest.
 const STEPS: u32 = 300;
