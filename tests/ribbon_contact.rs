@@ -20,15 +20,15 @@ fn a_barriers_derivatives_are_differences() {
     let cushion = Cushion::default();
     for k in 1..200 {
         let d = 2.1e-3 * f64::from(k) / 200.0 - 1e-4;
-        let h = 1e-3 * d.abs().min((d - 2e-3).abs()).min((d - 2e-5).abs());
-        let f = |k: f64, i: usize| barrier(&cushion, d + k * h)[i];
-        let [_, slope, curve] = barrier(&cushion, d);
+        let h = 1e-3 * d.abs().min((d - 2e-3).abs()).min((d - 1e-4).abs());
+        let f = |k: f64, i: usize| barrier(&cushion, d + k * h, 0.05)[i];
+        let [_, slope, curve] = barrier(&cushion, d, 0.05);
         let difference = |i| (8.0 * (f(1.0, i) - f(-1.0, i)) - f(2.0, i) + f(-2.0, i)) / (12.0 * h);
         assert!((difference(0) - slope).abs() <= 1e-6 * slope.abs(), "slope at {d}");
         assert!((difference(1) - curve).abs() <= 1e-6 * curve.abs(), "curvature at {d}");
         assert!(slope <= 0.0 && curve >= 0.0, "it pushes, and harder the nearer: {d}");
     }
-    assert_eq!(barrier(&cushion, 2e-3), [0.0; 3], "and not from afar");
+    assert_eq!(barrier(&cushion, 2e-3, 0.05), [0.0; 3], "and not from afar");
 }
 
 /// A flat trapezoid somewhere.
@@ -95,7 +95,7 @@ fn a_way_that_is_called_free_meets_nothing() {
         let shift = (b[0] - a[0]) * random.within(0.5, 3.0) + random.v3() * 0.3;
         let to = a.map(|p| p + shift + random.v3() * 0.1);
         let after = b.map(|p| p + random.v3() * 0.1);
-        let share = advance::free([&a, &to], [&b, &after]);
+        let share = advance::free([&a, &to], [&b, &after], 1.0, 0.0);
         let at = |from: &Quad<f64>, to: &Quad<f64>, t: f64| {
             let mut q = *from;
             q.iter_mut().zip(to).for_each(|(p, &q)| *p = *p + (q - *p) * t);

@@ -144,6 +144,7 @@ impl<'a, R: Real, L: Loads<R>, T: Touch<R>, const N: usize> Run<'a, R, L, T, N> 
         body.part_rulings();
         start_barrier(body, floor);
         body.soften(R::of(FIRST_PENALTY));
+        body.hold.forget(body.strip.stiff * R::of(MOST_PENALTY), body.strip.length());
         body.place(R::ZERO);
         let mut energy = body.evaluate(ask, loads);
         body.mark();
@@ -317,8 +318,7 @@ impl<'a, R: Real, L: Loads<R>, T: Touch<R>, const N: usize> Run<'a, R, L, T, N> 
     /// Moves the multipliers, and where the gap did not shrink well, raises the penalties.
     fn tighten(&mut self) {
         self.body.hold.update(&self.body.gap);
-        let most = self.body.strip.stiff * R::of(MOST_PENALTY);
-        if self.joined > self.moved * R::of(0.1) && self.body.hold.turn < most {
+        if self.joined > self.moved * R::of(0.1) {
             self.stiffen();
         }
         self.moved = self.joined;
@@ -326,7 +326,11 @@ impl<'a, R: Real, L: Loads<R>, T: Touch<R>, const N: usize> Run<'a, R, L, T, N> 
     }
 
     fn stiffen(&mut self) {
+        let most = self.body.strip.stiff * R::of(MOST_PENALTY);
         let hold = &mut self.body.hold;
+        if hold.turn >= most {
+            return;
+        }
         (hold.turn, hold.shift) = (hold.turn * R::of(10.0), hold.shift * R::of(10.0));
     }
 

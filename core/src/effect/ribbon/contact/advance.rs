@@ -12,6 +12,8 @@ use crate::real::{Real, V3};
 const ADVANCES: u32 = 24;
 /// A way ends when the distance has shrunk to this share of what it was.
 const LEFT: f64 = 0.1;
+/// The same, where they are as near as they may get.
+const NEARLY: f64 = 0.8;
 
 /// A segment's vertices before and after.
 pub type Way<'a, R> = [&'a Quad<R>; 2];
@@ -33,7 +35,8 @@ fn sum<R: Real>([from, to]: Way<'_, R>) -> V3<R> {
     from.iter().zip(to).fold(V3([R::ZERO; 3]), |sum, (&p, &q)| sum + (q - p))
 }
 
-/// The share of two ways that is free of a meeting; one if all is.
+/// The share of two ways, at most `most`, that is free of a meeting. They are not led nearer than `least`, and where they
+/// are as near as that already only a little.
 ///
 /// # Cost
 ///
@@ -43,27 +46,27 @@ fn sum<R: Real>([from, to]: Way<'_, R>) -> V3<R> {
 /// # Hard case
 ///
 /// Segments that meet already are free to go: nothing could part them else.
-pub fn free<R: Real>(a: Way<'_, R>, b: Way<'_, R>) -> R {
-    let (one, o) = (R::one(), R::ZERO);
+pub fn free<R: Real>(a: Way<'_, R>, b: Way<'_, R>, most: R, least: R) -> R {
+    let o = R::ZERO;
     let shared = (sum(a) + sum(b)) * R::of(0.125);
     let speed = farthest(a, shared) + farthest(b, shared);
-    if !Bounds::of(a[0]).within(&Bounds::of(b[0]), speed) || speed <= o {
-        return one;
+    if !Bounds::of(a[0]).within(&Bounds::of(b[0]), speed * most + least) || speed <= o {
+        return most;
     }
     let first = apart(a[0], b[0]);
-    if first > speed || first <= o {
-        return one;
+    if first > speed * most + least || first <= o {
+        return most;
     }
-    let left = first * R::of(LEFT);
+    let left = (first * R::of(LEFT)).larger(least).smaller(first * R::of(NEARLY));
     let (mut share, mut distance) = (o, first);
     for _ in 0..ADVANCES {
         let next = share + (distance - left) * R::of(0.9) / speed;
-        if next >= one {
-            return one;
+        if next >= most {
+            return most;
         }
         distance = apart(&along(a, next), &along(b, next));
         share = next;
-        if distance <= left * R::of(1.5) {
+        if distance <= left + (first - left) * R::of(0.05) {
             break;
         }
     }

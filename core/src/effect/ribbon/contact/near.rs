@@ -55,6 +55,8 @@ pub struct Near<R, S, const N: usize, const O: usize, const K: usize> {
     pub surface: S,
     /// How it pushes.
     pub cushion: Cushion,
+    /// It may touch itself.
+    pub itself: bool,
     /// What it cost.
     pub counts: Counts,
     /// Something near found no room.
@@ -81,6 +83,7 @@ impl<R: Real, S: Surface<R>, const N: usize, const O: usize, const K: usize> Nea
         Self {
             surface,
             cushion,
+            itself: true,
             counts: Counts { others: 0, pairs: 0, pushes: 0, limited: 0, crowded: 0 },
             full: false,
             n: 0,
@@ -122,7 +125,9 @@ impl<R: Real, S: Surface<R>, const N: usize, const O: usize, const K: usize> Nea
             *b = Bounds::of(own);
             self.whole = self.whole.with(b);
         }
-        self.near_itself(cell);
+        if self.itself {
+            self.near_itself(cell);
+        }
     }
 
     fn near_itself(&mut self, cell: R) {

@@ -6,7 +6,7 @@
 use super::advance;
 use super::distance::{Bounds, Meeting, Parts, Quad, meetings};
 use super::near::{LAST, Near, Pairing};
-use super::push::barrier;
+use super::push::{FLOOR, SOLID, barrier};
 use super::surface::Surface;
 use super::touch::{Pose, Push, Touch};
 use crate::real::{Real, V3};
@@ -14,6 +14,8 @@ use heapless::Vec;
 
 /// Share of the way to a surface that a trial may go.
 const SHARE: f64 = 0.9;
+/// How far one that is pressed into a surface may sink in a trial, as a share of the barrier's reach.
+const SINKS: f64 = 0.1;
 /// Meetings of two segments at most.
 const MEETINGS: usize = 24;
 
@@ -57,7 +59,7 @@ impl<R: Real, S: Surface<R>, const N: usize, const O: usize, const K: usize> Nea
         let shares = if end { [[o, o, l, o], [o, o, o, l]] } else { [[l, o, o, o], [o, l, o, o]] };
         for (p, weights) in pose.pair(crease).into_iter().zip(shares) {
             let (d, normal) = self.surface.above(p);
-            let [_, slope, curve] = barrier(&self.cushion, d);
+            let [_, slope, curve] = barrier(&self.cushion, d, SOLID);
             if curve > o {
                 let push = Push { weights, normal, slope, curve };
                 self.keep(if end { crease - 1 } else { crease }, push);
@@ -73,7 +75,7 @@ impl<R: Real, S: Surface<R>, const N: usize, const O: usize, const K: usize> Nea
         });
         for m in &found {
             let d = m.way.norm();
-            let ([_, slope, curve], normal) = (barrier(&cushion, d), m.way * (R::one() / d));
+            let ([_, slope, curve], normal) = (barrier(&cushion, d, FLOOR), m.way * (R::one() / d));
             let here = Push { weights: m.here, normal, slope, curve: curve * twice };
             self.keep(usize::from(pair.segment), here);
             if pair.own {
@@ -101,12 +103,16 @@ impl<R: Real, S: Surface<R>, const N: usize, const O: usize, const K: usize> Nea
     }
     /// How far a trial may go for a vertex' sake.
     fn limit(&self, [from, to]: [V3<R>; 2], set_out: V3<R>, range: R) -> R {
-        if (to - set_out).norm_sq() > range * range {
-            return R::of(0.5);
+        let gone = (to - set_out).norm_sq();
+        if gone > range * range {
+            return (R::of(SHARE) * range / gone.root()).smaller(R::of(0.5));
         }
         let (before, after) = (self.surface.above(from).0, self.surface.above(to).0);
-        let enters = before > R::ZERO && after <= R::ZERO;
-        if enters { R::of(SHARE) * before / (before - after) } else { R::of(1.0) }
+        // What is pressed that hard is held by the barrier's parabola alone, yet sinks but slowly.
+        let reach = R::of(self.cushion.reach_m);
+        let pressed = before <= reach * R::of(SOLID);
+        let least = if pressed { before.smaller(R::ZERO) - reach * R::of(SINKS) } else { R::ZERO };
+        if after > least { R::of(1.0) } else { R::of(SHARE) * (before - least) / (before - after) }
     }
 }
 
@@ -116,10 +122,10 @@ impl<R: Real, S: Surface<R>, const N: usize, const O: usize, const K: usize> Tou
     fn energy(&mut self, pose: &Pose<'_, R>) -> R {
         let mut sum = R::ZERO;
         for p in self.creases().flat_map(|k| pose.pair(k)) {
-            sum += barrier(&self.cushion, self.surface.above(p).0)[0];
+            sum += barrier(&self.cushion, self.surface.above(p).0, SOLID)[0];
         }
         for &pair in &self.pairs {
-            self.each(pair, pose, |_, d| sum += barrier(&self.cushion, d)[0]);
+            self.each(pair, pose, |_, d| sum += barrier(&self.cushion, d, FLOOR)[0]);
         }
         sum
     }
@@ -147,6 +153,7 @@ impl<R: Real, S: Surface<R>, const N: usize, const O: usize, const K: usize> Tou
     fn free(&mut self, pose: &Pose<'_, R>, range: R) -> R {
         let range = self.range * range;
         let mut share = if self.full { R::ZERO } else { R::of(1.0) };
+        let least = R::of(FLOOR * self.cushion.reach_m);
         for crease in self.creases() {
             let start = self.set_out(crease);
             for ((p, q), s) in pose.kept_pair(crease).into_iter().zip(pose.pair(crease)).zip(start)
@@ -158,7 +165,7 @@ impl<R: Real, S: Surface<R>, const N: usize, const O: usize, const K: usize> Tou
             let k = usize::from(pair.segment);
             let (from, to) = (pose.kept(k), pose.corners(k));
             let there = [self.other(pair, |k| pose.kept(k)), self.other(pair, |k| pose.corners(k))];
-            share = share.smaller(advance::free([&from, &to], [&there[0], &there[1]]));
+            share = advance::free([&from, &to], [&there[0], &there[1]], share, least);
         }
         self.counts.limited += u32::from(share < R::of(1.0));
         share

@@ -4,7 +4,7 @@
 //! b(d) = -k (d - r)² ln(d/r)      0 < d < r
 //! ```
 //!
-//! Below a hundredth of `r` it goes on as its parabola there, so that what is already inside something is pushed out by a
+//! Below a small share of `r` it goes on as its parabola there, so that what is already inside something is pushed out by a
 //! finite force. Two ribbons never come there by a step: that is what `advance` is for.
 //!
 //! Source: Li et al. 2020, Eq. 6. Checked by `tests/ribbon_contact.rs`.
@@ -12,8 +12,10 @@
 use super::super::elementary::logarithm;
 use crate::real::Real;
 
-/// Where the parabola begins, as a share of the reach.
-const FLOOR: f64 = 0.01;
+/// Where the parabola begins against another segment, as a share of the reach.
+pub const FLOOR: f64 = 1e-3;
+/// The same against a solid, which has an inside: less stiff, so that a hard fall stays easy to solve.
+pub const SOLID: f64 = 0.05;
 
 /// How far a barrier reaches and how strong it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,19 +33,18 @@ impl Default for Cushion {
     }
 }
 
-/// Value, slope and curvature at a distance.
+/// Value, slope and curvature at a distance; the parabola begins at `floor` of the reach.
 ///
 /// # Accuracy
 ///
 /// Some ten roundings.
 #[inline]
-pub fn barrier<R: Real>(cushion: &Cushion, d: R) -> [R; 3] {
+pub fn barrier<R: Real>(cushion: &Cushion, d: R, floor: f64) -> [R; 3] {
     let (reach, k) = (R::of(cushion.reach_m), R::of(cushion.stiffness));
     if d >= reach {
         return [R::ZERO; 3];
     }
-    let floor = reach * R::of(FLOOR);
-    let at = d.larger(floor);
+    let at = d.larger(reach * R::of(floor));
     let (ln, x, two) = (logarithm(at / reach), at - reach, R::of(2.0));
     let ratio = x / at;
     let value = -(k * x * x * ln);
