@@ -56,7 +56,8 @@ fn a_short_chain_falls() {
 #[test]
 #[ignore = "minutes"]
 fn nine_bands_fall() {
-    play("Moebius chain", chain(Closure::Moebius, 9, [0.0, 0.0, 0.4], X), 300);
+    let left = play("Moebius chain", chain(Closure::Moebius, 9, [0.0, 0.0, 0.4], X), 300);
+    assert!(left < 1e-3, "it comes to lie: {left}");
 }
 
 #[test]
@@ -64,5 +65,6 @@ fn nine_bands_fall() {
 fn two_chains_of_nine_fall_on_each_other() {
     let mut both = chain(Closure::Ring, 9, [-0.92, 0.0, 0.3], X);
     both.extend(chain(Closure::Ring, 9, [0.1, -0.92, 0.8], Y));
-    play("double chain", both, 300);
+    let left = play("double chain", both, 300);
+    assert!(left < 1e-3, "they come to lie: {left}");
 }
