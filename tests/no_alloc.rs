@@ -1,57 +1,14 @@
 //! Promise: nothing allocates. Ten thousand steps of every gesture, events and hashes included, ask the
 //! allocator for nothing.
-#![allow(unsafe_code, reason = "an allocator that counts can only be written with it")]
 
+use crate::tally::asked;
 use dogleaf_core::grid::G11x8;
 use dogleaf_core::hand::Sample;
 use dogleaf_core::real::Real;
 use dogleaf_core::scene::{Fidelity, LeafSpec};
 use dogleaf_core::{Book, LoneLeaf};
 use dogleaf_tests::gesture::{Eye, Gesture, Rng, Scene};
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::cell::Cell;
 use std::hint::black_box;
-
-thread_local! {
-    /// What this thread has asked for: other threads' requests are theirs.
-    static ASKED: Cell<u64> = const { Cell::new(0) };
-}
-
-/// The system's allocator, with a tally.
-struct Counting;
-
-fn tally() {
-    let _ = ASKED.try_with(|asked| asked.set(asked.get() + 1));
-}
-
-// SAFETY: every call goes on to the system's allocator unchanged.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        tally();
-        unsafe { System.alloc(layout) }
-    }
-    unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
-        tally();
-        unsafe { System.alloc_zeroed(layout) }
-    }
-    unsafe fn realloc(&self, at: *mut u8, layout: Layout, size: usize) -> *mut u8 {
-        tally();
-        unsafe { System.realloc(at, layout, size) }
-    }
-    unsafe fn dealloc(&self, at: *mut u8, layout: Layout) {
-        unsafe { System.dealloc(at, layout) }
-    }
-}
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
-
-/// How often `work` asked for memory.
-fn asked(work: impl FnOnce()) -> u64 {
-    let before = ASKED.with(Cell::get);
-    work();
-    ASKED.with(Cell::get) - before
-}
 
 /// Steps of a book under watch.
 const STEPS: u32 = 10_000;

@@ -94,7 +94,7 @@ fn gradient(body: &mut Body<f64, N>, ask: &Ask<f64>, x: &[f64]) -> Vec<f64> {
     at(body, x);
     body.evaluate(ask, &Ground);
     let mut g = vec![0.0; 2 * N + 6];
-    let start = body.gradient(ask, &Ground, |j, [psi, c]| {
+    let start = body.gradient(ask, &Ground, &(), |j, [psi, c]| {
         (g[2 * j], g[2 * j + 1]) = (psi, c);
     });
     g[2 * N..].copy_from_slice(&start);

@@ -1,9 +1,13 @@
 //! The promises about ribbons, in one program, as `promises` is for the book.
 
+mod ribbon_chains;
+mod ribbon_contact;
 mod ribbon_derivatives;
 mod ribbon_hard_cases;
 mod ribbon_loops;
 mod ribbon_newton;
 mod ribbon_numbers;
 mod ribbon_parts;
+mod ribbon_soak;
 mod ribbon_statics;
+mod tally;

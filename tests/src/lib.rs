@@ -1,6 +1,7 @@
 //! What the tests share.
 
 pub mod case;
+pub mod chains;
 pub mod depth;
 pub mod elastica;
 pub mod gesture;

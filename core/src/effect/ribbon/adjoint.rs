@@ -8,12 +8,12 @@
 use super::barrier::wall;
 use super::bending;
 use super::body::Body;
+use super::contact::touch::Touch;
 use super::frame::{Six, dot6};
-use super::inertia::model;
 use super::joint::{Crease, about};
 use super::load::{Ask, Loads, Pull};
 use super::resample::Pair;
-use super::sweep::pulls;
+use super::sweep::{pressed, pulls};
 use crate::real::{Real, V3};
 
 impl<R: Real, const N: usize> Body<R, N> {
@@ -26,6 +26,7 @@ impl<R: Real, const N: usize> Body<R, N> {
         &self,
         ask: &Ask<R>,
         loads: &impl Loads<R>,
+        touch: &impl Touch<R>,
         mut take: impl FnMut(usize, [R; 2]),
     ) -> Six<R> {
         let strip = &self.strip;
@@ -46,7 +47,7 @@ impl<R: Real, const N: usize> Body<R, N> {
             pulls(ask, loads, j, &s.pair, &mut pull);
             let own = pull.gradient;
             let cell = Self::cell(s, (&next.0, &next.1, next.2.c));
-            let m = model(strip, &self.motion, &cell, &[own, pulled], ask.guide(j));
+            let m = pressed(strip, &self.motion, &cell, [own, pulled], ask.guide(j), (touch, j));
             let bent = bending::derivatives(strip, j, s.crease, next.2);
             let w = wall(cell.spread, strip.limit, self.mu, s.dual);
             if j + 1 < strip.n {

@@ -3,6 +3,7 @@
 use super::barrier::{Logs, room};
 use super::bending;
 use super::closure::{Gap, Hold};
+use super::contact::touch::Pose;
 use super::frame::{Frame, Six};
 use super::inertia::{Cell, Motion};
 use super::joint::{Crease, Turn};
@@ -28,6 +29,8 @@ pub struct Stage<R> {
     pub frame: Frame<R>,
     /// The crease's ends.
     pub pair: Pair<R>,
+    /// The crease's ends as last accepted.
+    pub kept_pair: Pair<R>,
     /// What they aim at.
     pub want: [Sample<R>; 2],
     /// Velocity of the crease's ends.
@@ -47,6 +50,7 @@ impl<R: Real> Stage<R> {
         turn: Turn::NONE,
         frame: Frame::WORLD,
         pair: [V3([R::ZERO; 3]); 2],
+        kept_pair: [V3([R::ZERO; 3]); 2],
         want: [Sample::ZERO; 2],
         velocity: [V3([R::ZERO; 3]); 2],
         dual: [R::ZERO; 2],
@@ -59,6 +63,8 @@ impl<R: Real> Stage<R> {
 pub struct End<R> {
     /// Its vertices.
     pub pair: Pair<R>,
+    /// Its vertices as last accepted.
+    pub kept_pair: Pair<R>,
     /// What they aim at.
     pub want: [Sample<R>; 2],
     /// Their velocity.
@@ -69,6 +75,7 @@ impl<R: Real> End<R> {
     /// Nothing.
     pub const ZERO: Self = Self {
         pair: [V3([R::ZERO; 3]); 2],
+        kept_pair: [V3([R::ZERO; 3]); 2],
         want: [Sample::ZERO; 2],
         velocity: [V3([R::ZERO; 3]); 2],
     };
@@ -198,6 +205,16 @@ impl<R: Real, const N: usize> Body<R, N> {
     pub fn keep(&mut self) {
         self.used_mut().iter_mut().for_each(|s| s.kept = s.crease);
         self.kept_base = self.base;
+        self.mark();
+    }
+    /// Takes the vertices as evaluated for those accepted.
+    pub fn mark(&mut self) {
+        self.used_mut().iter_mut().for_each(|s| s.kept_pair = s.pair);
+        self.end.kept_pair = self.end.pair;
+    }
+    /// As contact sees it.
+    pub fn pose(&self) -> Pose<'_, R> {
+        Pose { stages: self.used(), end: &self.end }
     }
     /// Frames and vertices from creases and start (Ribbon Eq. 2).
     ///

@@ -73,6 +73,14 @@ impl<R: Real> Hold<R> {
             [b, -a, o, o, o, k],
         ]
     }
+    /// Drops multipliers that no loop of such stiffness and length comes to by itself: a solve that failed has left them.
+    pub fn forget(&mut self, most: R, length: R) {
+        let [turn, shift] = halves(&self.lambda);
+        let sane = turn.norm() <= most && shift.norm() * length <= most * R::of(40.0);
+        if !sane {
+            self.lambda = [R::ZERO; 6];
+        }
+    }
     /// First-order multiplier update.
     pub fn update(&mut self, gap: &Gap<R>) {
         let [turn, shift] = self.force(gap);

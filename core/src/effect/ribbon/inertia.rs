@@ -155,7 +155,10 @@ pub fn model<R: Real>(
         c: [
             g[0].dot(slide[0]) + g[1].dot(slide[1]) - swell
                 + cell.frame.t.dot(b0 - a0) * strip.half,
-            g[2].dot(slide[2]) + g[3].dot(slide[3]) + swell,
+            g[2].dot(slide[2])
+                + g[3].dot(slide[3])
+                + swell
+                + cell.frame.t.dot(b1 - a1) * strip.half,
         ],
         xx: turning(cell, &mx, &all, lean, kappa * strip.cell_mass()),
         xc: [[R::ZERO; 6]; 2],

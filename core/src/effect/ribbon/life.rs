@@ -1,6 +1,7 @@
 //! What a caller holds: a ribbon in the world, laid, stepped, brought to rest.
 
 use super::body::Body;
+use super::contact::Touch;
 use super::frame::Frame;
 use super::joint::Crease;
 use super::load::{Ask, Loads};
@@ -153,6 +154,27 @@ impl<R: Real, const N: usize> Ribbon<R, N> {
         &mut self,
         h: f64,
         loads: &impl Loads<R>,
+        watch: impl FnMut(R, R),
+    ) -> Report<R> {
+        self.step_with(h, loads, &mut (), watch)
+    }
+
+    /// As [`Ribbon::step_under`], with what [`contact`](super::contact) has found near.
+    pub fn step_touching(
+        &mut self,
+        h: f64,
+        loads: &impl Loads<R>,
+        touch: &mut impl Touch<R>,
+    ) -> Report<R> {
+        self.step_with(h, loads, touch, |_, _| {})
+    }
+
+    /// A step with all of these.
+    pub fn step_with(
+        &mut self,
+        h: f64,
+        loads: &impl Loads<R>,
+        touch: &mut impl Touch<R>,
         mut watch: impl FnMut(R, R),
     ) -> Report<R> {
         if !(h.is_finite() && h > 0.0) {
@@ -163,11 +185,11 @@ impl<R: Real, const N: usize> Ribbon<R, N> {
         self.set_out(R::of(h * keep), fall);
         self.body.motion.kappa = R::of(1.0 / (h * h));
         self.body.motion.pull = V3([R::ZERO; 3]);
-        let start = self.body.kept_base;
-        let report =
-            self.solver.minimise(&mut self.body, &self.ask, loads, &self.settings, &mut watch);
+        let Self { solver, body, ask, settings, .. } = self;
+        let report = solver.minimise(body, ask, loads, touch, settings, &mut watch);
         if report.status == Status::Held {
-            self.rest_where_it_was(&start);
+            let last = self.body.kept_base;
+            self.rest_where_it_was(&last);
         } else {
             self.velocities(R::of(1.0 / h), fall, R::of(keep));
         }
@@ -191,11 +213,19 @@ impl<R: Real, const N: usize> Ribbon<R, N> {
         self.body.motion.pull = V3(self.gravity.map(R::of));
         self.body.used_mut().iter_mut().for_each(|s| s.want = [Sample::ZERO; 2]);
         self.body.end.want = [Sample::ZERO; 2];
-        let report = self.solver.minimise(&mut self.body, &self.ask, &(), settings, &mut watch);
+        let Self { solver, body, ask, .. } = self;
+        let report = solver.minimise(body, ask, &(), &mut (), settings, &mut watch);
         self.body.strip.free = free;
         let base = if report.status == Status::Held { start } else { self.body.kept_base };
         self.rest_where_it_was(&base);
         report
+    }
+
+    /// Stops it where it is for a step.
+    pub fn hold(&mut self) -> Report<R> {
+        let last = self.body.kept_base;
+        self.rest_where_it_was(&last);
+        Report { status: Status::Held, ..Report::NONE }
     }
 
     fn rest_where_it_was(&mut self, base: &Frame<R>) {
@@ -269,6 +299,9 @@ impl<R: Real, const N: usize> Ribbon<R, N> {
     /// Moves a clamped start.
     pub fn carry(&mut self, base: &Frame<R>) {
         self.body.kept_base = *base;
+    }
+    pub(super) fn posed(&self) -> &Body<R, N> {
+        &self.body
     }
     /// What is solved for: for oracles and tests.
     pub fn body(&mut self) -> &mut Body<R, N> {

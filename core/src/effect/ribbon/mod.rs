@@ -13,9 +13,11 @@
 //! | `inertia`, `bending`, `load`, `barrier`, `closure` | one energy each: value and derivatives |
 //! | `body` | the ribbon while it is solved for |
 //! | `riccati`, `sweep`, `mend` | the linear solve; that of a loop's joint alone |
+//! | `contact` | what pushes back, and what no step may pass through |
 //! | `adjoint` | the gradient alone, for oracles |
 //! | `newton`, `report` | the method, its limits and its answer |
 //! | `life` | [`Ribbon`]: what a caller holds |
+//! | `energy` | what energy it has |
 //!
 //! Source: the seed's "Modelling Developable Ribbons Using Ruling Bending Coordinates", cited as Ribbon.
 
@@ -34,10 +36,12 @@ pub mod riccati;
 pub mod body;
 pub mod sweep;
 pub mod adjoint;
+pub mod contact;
 pub mod mend;
 pub mod report;
 pub mod newton;
 pub mod life;
+pub mod energy;
 
 pub use life::Ribbon;
 pub use load::{Ask, Guide, Loads, Pull, Spring};

@@ -11,6 +11,7 @@
 
 use super::barrier::duals;
 use super::body::{Body, Energy};
+use super::contact::touch::Touch;
 use super::load::{Ask, Loads};
 use super::report::{Report, Settings, Status};
 use crate::real::Real;
@@ -29,6 +30,10 @@ const FIRST_PENALTY: f64 = 3e4;
 const MOST_PENALTY: f64 = 1e5;
 /// A loop never opens wider than this on the way, unless it is: radians, or share of its length.
 const WIDEST: f64 = 0.05;
+/// A trial that meets something is not shortened by more than this at once.
+const LEAST_FREE: f64 = 0.02;
+/// Share of the way searched by contact that iterations may go; the rest is for closing.
+const RANGE: f64 = 0.75;
 /// Steps at most that close a loop at the end.
 const CLOSINGS: u32 = 12;
 
@@ -42,11 +47,12 @@ pub struct Solver<R> {
 }
 
 /// One solve under way.
-struct Run<'a, R: Real, L, const N: usize> {
+struct Run<'a, R: Real, L, T, const N: usize> {
     solver: &'a mut Solver<R>,
     body: &'a mut Body<R, N>,
     ask: &'a Ask<R>,
     loads: &'a L,
+    touch: &'a mut T,
     settings: &'a Settings,
     report: Report<R>,
     energy: Energy<R>,
@@ -86,10 +92,11 @@ impl<R: Real> Solver<R> {
         body: &mut Body<R, N>,
         ask: &Ask<R>,
         loads: &impl Loads<R>,
+        touch: &mut impl Touch<R>,
         settings: &Settings,
         mut watch: impl FnMut(R, R),
     ) -> Report<R> {
-        let mut run = Run::begin(self, body, ask, loads, settings);
+        let mut run = Run::begin(self, body, ask, loads, touch, settings);
         if !run.energy.objective.finite() {
             run.report.status = Status::Held;
             return run.report;
@@ -122,12 +129,13 @@ impl<R: Real> Solver<R> {
     }
 }
 
-impl<'a, R: Real, L: Loads<R>, const N: usize> Run<'a, R, L, N> {
+impl<'a, R: Real, L: Loads<R>, T: Touch<R>, const N: usize> Run<'a, R, L, T, N> {
     fn begin(
         solver: &'a mut Solver<R>,
         body: &'a mut Body<R, N>,
         ask: &'a Ask<R>,
         loads: &'a L,
+        touch: &'a mut T,
         settings: &'a Settings,
     ) -> Self {
         solver.shift = solver.first;
@@ -136,8 +144,11 @@ impl<'a, R: Real, L: Loads<R>, const N: usize> Run<'a, R, L, N> {
         body.part_rulings();
         start_barrier(body, floor);
         body.soften(R::of(FIRST_PENALTY));
+        body.hold.forget(body.strip.stiff * R::of(MOST_PENALTY), body.strip.length());
         body.place(R::ZERO);
-        let energy = body.evaluate(ask, loads);
+        let mut energy = body.evaluate(ask, loads);
+        body.mark();
+        energy.objective += touch.energy(&body.pose());
         let gap = body.gap.size(body.strip.length());
         let report = Report { status: Status::Capped, trials: 1, ..Report::NONE };
         let moved = R::of(1e3);
@@ -146,6 +157,7 @@ impl<'a, R: Real, L: Loads<R>, const N: usize> Run<'a, R, L, N> {
             body,
             ask,
             loads,
+            touch,
             settings,
             report,
             energy,
@@ -180,9 +192,11 @@ impl<'a, R: Real, L: Loads<R>, const N: usize> Run<'a, R, L, N> {
 
     /// Factors, with as much shift as that needs, and solves.
     fn direction(&mut self) -> Option<Direction<R>> {
+        self.touch.press(&self.body.pose());
         for _ in 0..self.settings.shifts {
             self.report.factorisations += 1;
-            if let Some(fall) = self.body.factor(self.ask, self.loads, self.solver.shift) {
+            let shift = self.solver.shift;
+            if let Some(fall) = self.body.factor_touching(self.ask, self.loads, self.touch, shift) {
                 let ([size, longest], held) = self.body.solve(true);
                 return Some(Direction { fall, size, longest, held: held > 0 });
             }
@@ -198,6 +212,11 @@ impl<'a, R: Real, L: Loads<R>, const N: usize> Run<'a, R, L, N> {
         let slack = before.magnitude() * R::of(8.0 * R::EPSILON);
         let mut share = to.longest;
         for _ in 0..self.settings.trials {
+            let free = self.free(share);
+            if free < R::one() {
+                share *= free.larger(R::of(LEAST_FREE));
+                continue;
+            }
             let trial = self.evaluate(share);
             let closed = !self.body.looped() || self.body.gap.size(length) <= widest;
             let enough = before - to.fall * share * R::of(ARMIJO) + slack;
@@ -212,7 +231,19 @@ impl<'a, R: Real, L: Loads<R>, const N: usize> Run<'a, R, L, N> {
     fn evaluate(&mut self, share: R) -> Energy<R> {
         self.body.place(share);
         self.report.trials += 1;
-        self.body.evaluate(self.ask, self.loads)
+        let mut energy = self.body.evaluate(self.ask, self.loads);
+        energy.objective += self.touch.energy(&self.body.pose());
+        energy
+    }
+
+    /// How much of the way to a share of the step contact leaves free.
+    fn free(&mut self, share: R) -> R {
+        if !T::ACTIVE {
+            return R::one();
+        }
+        self.body.place(share);
+        self.body.reconstruct();
+        self.touch.free(&self.body.pose(), R::of(RANGE))
     }
 
     /// Takes a trial.
@@ -287,8 +318,7 @@ impl<'a, R: Real, L: Loads<R>, const N: usize> Run<'a, R, L, N> {
     /// Moves the multipliers, and where the gap did not shrink well, raises the penalties.
     fn tighten(&mut self) {
         self.body.hold.update(&self.body.gap);
-        let most = self.body.strip.stiff * R::of(MOST_PENALTY);
-        if self.joined > self.moved * R::of(0.1) && self.body.hold.turn < most {
+        if self.joined > self.moved * R::of(0.1) {
             self.stiffen();
         }
         self.moved = self.joined;
@@ -296,7 +326,11 @@ impl<'a, R: Real, L: Loads<R>, const N: usize> Run<'a, R, L, N> {
     }
 
     fn stiffen(&mut self) {
+        let most = self.body.strip.stiff * R::of(MOST_PENALTY);
         let hold = &mut self.body.hold;
+        if hold.turn >= most {
+            return;
+        }
         (hold.turn, hold.shift) = (hold.turn * R::of(10.0), hold.shift * R::of(10.0));
     }
 
@@ -317,7 +351,11 @@ impl<'a, R: Real, L: Loads<R>, const N: usize> Run<'a, R, L, N> {
             for _ in 0..self.settings.trials {
                 self.body.place(share);
                 self.body.reconstruct();
-                if self.body.gap.size(length) < self.joined * R::of(0.9) && self.body.inside() {
+                let closes = self.body.gap.size(length) < self.joined * R::of(0.9);
+                if closes
+                    && self.body.inside()
+                    && self.touch.free(&self.body.pose(), R::one()) >= R::one()
+                {
                     accept(self.body);
                     break;
                 }

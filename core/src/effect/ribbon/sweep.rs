@@ -9,12 +9,14 @@
 use super::barrier::{Wall, bounds, longest, wall};
 use super::bending::{self, Bent};
 use super::body::{Body, End, Stage};
+use super::contact::touch::{Touch, forces, stiffen};
 use super::frame::{Six, dot6, halves, six};
-use super::inertia::{Model, model};
+use super::inertia::{Cell, Model, Motion, model};
 use super::joint::{Crease, Turn, about};
 use super::load::{Ask, Loads, Pull};
 use super::resample::{Pair, Sample};
 use super::riccati::{Tie, Value, plus};
+use super::strip::Strip;
 use crate::real::{Real, V3};
 use nalgebra::{SMatrix, SVector};
 
@@ -81,6 +83,17 @@ impl<R: Real, const N: usize> Body<R, N> {
     ///
     /// Some 1,500 operations a segment.
     pub fn factor(&mut self, ask: &Ask<R>, loads: &impl Loads<R>, shift: R) -> Option<R> {
+        self.factor_touching(ask, loads, &(), shift)
+    }
+
+    /// As [`Body::factor`], with the pushes that contact has found.
+    pub fn factor_touching(
+        &mut self,
+        ask: &Ask<R>,
+        loads: &impl Loads<R>,
+        touch: &impl Touch<R>,
+        shift: R,
+    ) -> Option<R> {
         let mut carried = self.carried(shift);
         let Self { strip, stages, end, motion, mu, .. } = self;
         let mut pull = Pull::none();
@@ -91,7 +104,14 @@ impl<R: Real, const N: usize> Body<R, N> {
             pulls(ask, loads, j, &s.pair, &mut pull);
             let cell = Self::cell(s, (next.pair, next.want, next.crease.c));
             let spread = cell.spread;
-            let m = model(strip, motion, &cell, &[pull.gradient, next.pulled], ask.guide(j));
+            let m = pressed(
+                strip,
+                motion,
+                &cell,
+                [pull.gradient, next.pulled],
+                ask.guide(j),
+                (touch, j),
+            );
             let bent = bending::derivatives(strip, j, s.crease, next.crease);
             let w = wall(spread, strip.limit, *mu, s.dual);
             if let Some(turn) = next.turn {
@@ -261,6 +281,30 @@ impl<R: Real> Carried<R> {
             }
         }
     }
+}
+
+/// The model of a cell with what pushes at it.
+#[inline(always)]
+pub(super) fn pressed<R: Real, T: Touch<R>>(
+    strip: &Strip<R>,
+    motion: &Motion<R>,
+    cell: &Cell<'_, R>,
+    others: [Pair<R>; 2],
+    lean: V3<R>,
+    (touch, segment): (&T, usize),
+) -> Model<R> {
+    if !T::ACTIVE {
+        return model(strip, motion, cell, &others, lean);
+    }
+    let mut sum = others;
+    for (pair, force) in sum.iter_mut().zip(forces(touch, segment)) {
+        for (s, f) in pair.iter_mut().zip(force) {
+            *s = *s + f;
+        }
+    }
+    let mut m = model(strip, motion, cell, &sum, lean);
+    stiffen(touch, segment, &cell.x, strip, cell.frame.t, &mut m);
+    m
 }
 
 /// Adds the curvature terms of loads: rank one each, over `(ξ, c)`.

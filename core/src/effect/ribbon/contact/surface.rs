@@ -1,0 +1,75 @@
+//! Grounds that a ribbon lies on: solid below, so a vertex is on one side or the other.
+
+use crate::real::{Real, V3};
+
+/// A solid. A vertex that is inside is pushed out; one that is outside never gets in by a step.
+pub trait Surface<R> {
+    /// The distance of a point above it, negative inside, and the unit normal there; infinite where there is none.
+    fn above(&self, p: V3<R>) -> (R, V3<R>);
+}
+
+/// No ground.
+impl<R: Real> Surface<R> for () {
+    fn above(&self, _: V3<R>) -> (R, V3<R>) {
+        (R::of(f64::INFINITY), V3([R::ZERO; 3]))
+    }
+}
+
+/// Everything below a plane.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HalfSpace<R> {
+    /// A point of the plane.
+    pub point: V3<R>,
+    /// Unit normal, outwards.
+    pub normal: V3<R>,
+}
+
+impl<R: Real> Surface<R> for HalfSpace<R> {
+    fn above(&self, p: V3<R>) -> (R, V3<R>) {
+        ((p - self.point).dot(self.normal), self.normal)
+    }
+}
+
+/// Several: the one that is nearest, or that a point is deepest in.
+impl<R: Real, S: Surface<R>> Surface<R> for [S] {
+    fn above(&self, p: V3<R>) -> (R, V3<R>) {
+        self.iter().fold(().above(p), |best, s| {
+            let found = s.above(p);
+            if found.0 < best.0 { found } else { best }
+        })
+    }
+}
+
+impl<R: Real, S: Surface<R>, const M: usize> Surface<R> for [S; M] {
+    fn above(&self, p: V3<R>) -> (R, V3<R>) {
+        self.as_slice().above(p)
+    }
+}
+
+impl<R, S: Surface<R> + ?Sized> Surface<R> for &S {
+    fn above(&self, p: V3<R>) -> (R, V3<R>) {
+        (*self).above(p)
+    }
+}
+
+/// A field of heights: the top of a page block, a leaf as it is read just now.
+///
+/// # Accuracy
+///
+/// The distance is that of the tangent plane below the point: exact where the field is flat. Bumps between a ribbon's
+/// vertices are not seen.
+#[derive(Debug, Clone, Copy)]
+pub struct Field<F> {
+    /// From a point, the height of the field above or below it, and the unit normal there.
+    pub height: F,
+    /// Which coordinate is the height: 0, 1 or 2.
+    pub up: usize,
+}
+
+impl<R: Real, F: Fn(V3<R>) -> (R, V3<R>)> Surface<R> for Field<F> {
+    fn above(&self, p: V3<R>) -> (R, V3<R>) {
+        let (height, normal) = (self.height)(p);
+        let pick = |v: V3<R>| v.0.get(self.up).copied().unwrap_or(R::ZERO);
+        ((pick(p) - height) * pick(normal), normal)
+    }
+}
