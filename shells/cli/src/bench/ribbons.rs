@@ -10,8 +10,8 @@ use serde::Serialize;
 use std::io::{self, Write};
 use std::time::Instant;
 
-/// Every so many steps are raced.
-const EVERY: u32 = 10;
+/// Steps of a scene that are raced.
+const RACED: u32 = 20;
 
 /// One scene.
 #[derive(Serialize)]
@@ -42,17 +42,27 @@ impl Ribbons {
     pub(super) fn print(&self, out: &mut impl Write) -> io::Result<()> {
         writeln!(
             out,
-            "\nribbons, f64: to a gap of 1e-6, mean over the steps that both bring there, every {EVERY}th step"
+            "\nribbons, f64: to a gap of 1e-6, mean over the steps that both bring there, of {RACED}"
         )?;
         writeln!(
             out,
-            "{:<14} {:>8} {:>8} {:>9} {:>9} {:>10} {:>10} {:>7} {:>9}",
-            "scene", "step us", "p99", "Newton it", "us", "seed it", "us", "ratio", "both of"
+            "{:<14} {:>8} {:>8} {:>9} {:>7} {:>8} {:>8} {:>7} {:>8} {:>9} {:>7}",
+            "scene",
+            "step us",
+            "p99",
+            "Newton it",
+            "us",
+            "seed it",
+            "us",
+            "ratio",
+            "both of",
+            "over all",
+            "lower"
         )?;
         for Row { step_us, race: r, .. } in &self.scenes {
             writeln!(
                 out,
-                "{:<14} {:>8.0} {:>8.0} {:>9.1} {:>9.0} {:>10.0} {:>10.0} {:>6.0}x {:>4} of {:<2}",
+                "{:<14} {:>8.0} {:>8.0} {:>9.1} {:>7.0} {:>8.0} {:>8.0} {:>6.0}x {:>3} of {:<2} {:>3}{:>5.0}x {:>3}:{:<3}",
                 r.scene,
                 step_us.median,
                 step_us.p99,
@@ -62,9 +72,17 @@ impl Ribbons {
                 r.seed_us,
                 r.ratio,
                 r.both_arrive,
-                r.steps
+                r.steps,
+                ">",
+                r.at_least,
+                r.better[0],
+                r.better[1]
             )?;
         }
+        writeln!(
+            out,
+            "over all: what the seed's method had spent where it gave up; lower: ends lower than the other's, Newton's to the seed's"
+        )?;
         let [[a, b], [c, d]] = self.bytes;
         writeln!(out, "bytes of a ribbon: 50 segments {a} (f32), {b}; 150 segments {c}, {d}")
     }
@@ -99,6 +117,6 @@ fn row(mut scene: Scene, again: Scene) -> Row {
         segments,
         step_us: figures(&micros),
         allocations,
-        race: race(again, EVERY.min(scene.steps / 5)),
+        race: race(again, scene.steps.div_ceil(RACED)),
     }
 }

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `lbfgsb` | the least value of a function within bounds |
 //! | `unknowns` | a ribbon's unknowns as the seed counts them: angles, differences of slopes, the start |
+//! | `gradient` | the objective's gradient, no dearer than need be |
 //! | `algorithm` | the seed's Algorithm 2 |
 //! | `scenes` | the seed's experiments |
 //! | `race` | work and time of both to the same gap |
@@ -11,6 +12,7 @@
 
 pub mod algorithm;
 pub mod claims;
+pub mod gradient;
 pub mod lbfgsb;
 pub mod race;
 pub mod scenes;

@@ -46,10 +46,16 @@ pub struct Race {
     pub seed_us: f64,
     /// `seed_us / newton_us`.
     pub ratio: f64,
+    /// As `ratio`, over all steps that Newton brings to the gap: where Algorithm 2 does not come there, what it had
+    /// spent when it gave up.
+    pub at_least: f64,
     /// Steps whose better end is Newton's by more than the gap, and the seed's.
     pub better: [u32; 2],
     /// Microseconds of one iteration of each.
     pub iteration_us: [f64; 2],
+    /// Microseconds of all steps that Newton brings to the gap: its own, Algorithm 2's.
+    #[serde(skip)]
+    spent: [f64; 2],
 }
 
 /// Races on every `every`th step of a scene; Newton's steps are the ones that are kept.
@@ -82,6 +88,11 @@ impl Race {
         let wins = |a: f64, b: f64| u32::from(b - a > GAP * (f0 - best));
         self.better[0] += wins(known, least(&seed));
         self.better[1] += wins(least(&seed), known);
+        if let Some(a) = ours {
+            let gave_up = seed.iter().map(|m| m.us).fold(0.0, f64::max);
+            self.spent[0] += newton[a].us;
+            self.spent[1] += theirs.map_or(gave_up, |b| seed[b].us);
+        }
         if let (Some(a), Some(b)) = (ours, theirs) {
             self.both_arrive += 1;
             self.newton_iterations += a as f64;
@@ -97,6 +108,7 @@ impl Race {
             self.newton_us / self.newton_iterations.max(1.0),
             self.seed_us / self.seed_iterations.max(1.0),
         ];
+        self.at_least = self.spent[1] / self.spent[0].max(1e-9);
         self.ratio = self.seed_us / self.newton_us.max(1e-9);
         self.newton_iterations /= both;
         self.seed_iterations /= both;

@@ -23,6 +23,9 @@ pub struct Unknowns<'a, L, const N: usize> {
     loads: &'a L,
     /// The first crease with an angle.
     first: usize,
+    /// Gradient by angles and slopes.
+    psi: Vec<f64>,
+    slope: Vec<f64>,
     /// Joules of one.
     unit: f64,
     /// Multipliers of `limit ∓ c_{n-1} ≥ 0`; not positive.
@@ -59,7 +62,9 @@ impl<'a, L: Loads<f64>, const N: usize> Unknowns<'a, L, N> {
         body.mu = 0.0;
         let first = usize::from(body.strip.hinge == 0.0);
         let unit = body.strip.stiff / body.strip.n as f64;
-        Self { body, ask, loads, first, unit, lambda: [0.0; 2], penalty: 1e3, objective: 0.0 }
+        let (psi, slope) = (vec![0.0; body.strip.n], vec![0.0; body.strip.n]);
+        let (lambda, penalty, objective) = ([0.0; 2], 1e3, 0.0);
+        Self { body, ask, loads, first, psi, slope, unit, lambda, penalty, objective }
     }
 
     /// The unknowns at the start of the solve, and their bounds.
@@ -122,21 +127,19 @@ impl<L: Loads<f64>, const N: usize> Objective for Unknowns<'_, L, N> {
         let (n, first) = (self.body.strip.n, self.first);
         let [w, _] = self.place(x);
         self.objective = self.body.evaluate(&self.ask, self.loads).objective;
-        let (mut psi, mut slope) = (vec![0.0; n], vec![0.0; n]);
-        let start = self.body.gradient(&self.ask, self.loads, |j, [a, b]| {
-            (psi[j], slope[j]) = (a, b);
-        });
+        let Self { body, ask, loads, psi, slope, .. } = self;
+        let start = super::gradient::gradient(body, ask, *loads, psi, slope);
         let (rows, limit) = (self.rows(), self.body.strip.limit);
         let force = [0, 1].map(|i| (self.lambda[i] + self.penalty * rows[i]).min(0.0));
         let lagrangian: f64 = (0..2)
             .map(|i| (force[i] * force[i] - self.lambda[i] * self.lambda[i]) / (2.0 * self.penalty))
             .sum();
         let unit = 1.0 / self.unit;
-        gradient[..n - first].iter_mut().zip(&psi[first..]).for_each(|(g, p)| *g = p * unit);
+        gradient[..n - first].iter_mut().zip(&self.psi[first..]).for_each(|(g, p)| *g = p * unit);
         // A difference moves every slope beyond it.
         let mut beyond = (force[1] - force[0]) / limit;
         for j in (1..n).rev() {
-            beyond += slope[j] * unit;
+            beyond += self.slope[j] * unit;
             gradient[n - first + j - 1] = beyond;
         }
         if gradient.len() > 2 * n - 1 - first {

@@ -46,7 +46,7 @@ pub struct Limits {
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { memory: 8, iterations: 10_000, gradient: 1e-10, factor: 1e1 }
+        Self { memory: 8, iterations: 6_000, gradient: 1e-10, factor: 1e1 }
     }
 }
 
