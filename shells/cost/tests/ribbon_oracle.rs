@@ -117,3 +117,14 @@ fn a_race_counts_the_same_each_time() {
     assert_eq!(a.steps, 2, "every second");
     assert!(a.newton_arrives == 2 && a.newton_iterations < 20.0, "{a:?}");
 }
+
+#[test]
+fn every_row_of_the_report_has_figures() {
+    let rows = dogleaf_cost::ribbon::claims::claims().expect("sound scenes");
+    assert_eq!(rows.len(), 10, "Table 1 without its double chain, Figs 8, 11 and 13");
+    for row in rows {
+        println!("{}: {} | {} | {}", row.what, row.seed, row.rebuilt, row.ours);
+        assert!(row.ours.contains(|c: char| c.is_ascii_digit()), "{}", row.what);
+        assert!(!row.ours.contains("NaN") && !row.rebuilt.contains("NaN"), "{}", row.what);
+    }
+}

@@ -150,7 +150,7 @@ fn resting() -> Result<Claim, SpecError> {
     }
     Ok(Claim {
         what: "Ribbon: Möbius band to rest, by segments (Fig. 13)",
-        seed: "a plot, faster than linear",
+        seed: "a plot without numbers",
         rebuilt: "-".into(),
         ours: told.join("; "),
         note: "half-width pi/30 of 2 pi, Wunderlich's energy, from a flat ring; Starostin and van der Heijden: U = 5.93",
