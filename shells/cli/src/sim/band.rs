@@ -217,9 +217,17 @@ fn shape<R: Real>(ribbon: &mut Ribbon<R, MOST_SEGMENTS>, part: &RibbonPart, base
         }
         Start::Ring | Start::Moebius => {
             ribbon.gravity = [0.0; 3];
-            ribbon.wind(base, &Settings::EXACT);
+            ribbon.wind(base, &exact::<R>());
         }
     }
+}
+
+/// To rounding; single precision would go on in vain.
+fn exact<R: Real>() -> Settings {
+    if R::EPSILON > 1e-10 {
+        return Settings { tolerance: 1e-4, closure: 1e-5, ..Settings::EXACT };
+    }
+    Settings::EXACT
 }
 
 /// The motion it begins with, its spin about its middle.
