@@ -22,8 +22,12 @@ const INSTRUCTIONS: [u64; 2] = [1_200_000, 1_200_000];
 const WORST: u64 = 2;
 
 /// Features of the core, and how the firmware asks for them.
-const FEATURES: [(&str, &str); 3] =
-    [("none", ""), ("seed, unused", "dogleaf-core/seed"), ("defmt, logged", "defmt")];
+const FEATURES: [(&str, &str); 4] = [
+    ("none", ""),
+    ("seed, unused", "dogleaf-core/seed"),
+    ("ribbon, unused", "dogleaf-core/ribbon"),
+    ("defmt, logged", "defmt"),
+];
 
 /// The same image on the other processors, and the most instructions of its median step: what we have, with a
 /// hundredth for another compiler.
@@ -46,7 +50,7 @@ pub(crate) fn size(args: &[String]) -> Result {
     let mut faults = product()?;
     faults.extend(control()?);
     faults.extend(others()?);
-    features()?;
+    faults.extend(features()?);
     for fault in &faults {
         eprintln!("  {fault}");
     }
@@ -134,11 +138,15 @@ fn others() -> std::result::Result<Vec<String>, String> {
 }
 
 /// Bytes that each feature of the core costs.
-fn features() -> std::result::Result<(), String> {
+///
+/// Of what is built but not used, nothing may be in it.
+fn features() -> std::result::Result<Vec<String>, String> {
     println!("| feature of the core | text | statics |\n|---|---|---|");
+    let mut faults = Vec::new();
     for (name, features) in FEATURES {
         let image = Image::read(&M7.build("play", features)?)?;
         println!("| {name} | {} | {} |", image.text, image.statics());
+        faults.extend(image.unasked.iter().map(|unasked| format!("{name}: {unasked} is in it")));
     }
-    Ok(())
+    Ok(faults)
 }

@@ -30,4 +30,14 @@ fn parts_bytes_and_no_allocation() {
         assert!(side["bytes"]["book"].as_u64() > side["bytes"]["solver"].as_u64(), "{real}");
         assert_eq!(side["trail"].as_str().map(str::len), Some(16), "{real}");
     }
+    let ribbons = &report["ribbons"];
+    let scenes = ribbons["scenes"].as_array().expect("scenes");
+    let names: Vec<&str> = scenes.iter().map(|s| s["scene"].as_str().expect("a name")).collect();
+    assert_eq!(names, ["helix h=0.01", "helix h=0.05", "fall n=150", "torsion 4 pi"], "in order");
+    for scene in scenes {
+        assert_eq!(scene["allocations"], 0, "a ribbon's step allocates nothing: {scene}");
+        assert_eq!(scene["newton_arrives"], scene["steps"], "{scene}");
+        assert!(scene["step_us"]["median"].as_f64() > Some(0.0), "{scene}");
+    }
+    assert!(ribbons["bytes"][1][0].as_u64() < Some(100_000), "{ribbons}");
 }

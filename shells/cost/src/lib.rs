@@ -16,6 +16,7 @@ pub mod reference;
 pub mod cost;
 pub mod pareto;
 pub mod claims;
+pub mod ribbon;
 pub mod peers;
 pub mod report;
 pub mod study;

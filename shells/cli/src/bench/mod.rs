@@ -2,7 +2,7 @@
 //!
 //! A slow turn is played on a book at 11x8, in `f32` and `f64` by turns, and every step with a leaf in
 //! the air is timed: leaf, blocks, boards, contact, line search; the mesh is not part of a step. Then
-//! the parts are timed one by one on the poses of that turn. Of every figure the least of all rounds
+//! the parts are timed one by one on the poses of that turn. Then ribbons, beside the seed's own method. Of every figure the least of all rounds
 //! is told: the machine can only make it larger.
 
 pub(crate) mod alloc;
@@ -10,6 +10,7 @@ mod machine;
 mod parts;
 mod poses;
 mod report;
+mod ribbons;
 pub(crate) mod times;
 mod turn;
 
@@ -33,8 +34,8 @@ pub(crate) fn bench(args: &BenchArgs) -> Result<(), CliError> {
     } else {
         report.print().map_err(|e| CliError::write("standard output".as_ref(), &e))?;
     }
-    if report.allocations > 0 {
-        let n = report.allocations;
+    let n = report.allocations + report.ribbons.allocations();
+    if n > 0 {
         return Err(CliError::Check(format!("{n} allocations during the steps, none expected")));
     }
     Ok(())
@@ -50,6 +51,8 @@ fn measure(rounds: u32) -> Result<Report, CliError> {
         wide.round(round > 0)?;
         bar.inc(1);
     }
+    bar.set_message("ribbons");
+    let ribbons = ribbons::ribbons()?;
     bar.finish_and_clear();
     Ok(Report {
         machine: machine::machine(),
@@ -58,6 +61,7 @@ fn measure(rounds: u32) -> Result<Report, CliError> {
         allocations: narrow.allocations + wide.allocations,
         f32: narrow.side(),
         f64: wide.side(),
+        ribbons,
     })
 }
 

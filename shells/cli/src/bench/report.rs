@@ -2,6 +2,7 @@
 
 use super::machine::Machine;
 use super::parts::Part;
+use super::ribbons::Ribbons;
 use super::times::Figures;
 use crate::run::Work;
 use dogleaf_core::grid::Grid;
@@ -24,6 +25,7 @@ pub(super) struct Report {
     pub(super) allocations: u64,
     pub(super) f32: Side,
     pub(super) f64: Side,
+    pub(super) ribbons: Ribbons,
 }
 
 /// One scalar's figures.
@@ -92,7 +94,9 @@ impl Report {
         for side in [&self.f32, &self.f64] {
             side.print(&mut out)?;
         }
-        writeln!(out, "\nallocations during the steps: {}", self.allocations)
+        self.ribbons.print(&mut out)?;
+        let allocations = self.allocations + self.ribbons.allocations();
+        writeln!(out, "\nallocations during the steps: {allocations}")
     }
 }
 

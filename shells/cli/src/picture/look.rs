@@ -1,5 +1,6 @@
 //! How a shot looks: materials, light, camera, table.
 
+use super::band::fabric;
 use super::{Faces, Pages, Shot};
 use crate::error::CliError;
 use dogleaf_core::hand::View;
@@ -19,8 +20,10 @@ const SAMPLES: u32 = 8;
 pub(crate) struct Set {
     pub(crate) view: View,
     pub(crate) direction: Direction,
-    /// Nothing lies on a table where there is no book.
+    /// Nothing lies on a table where there is no book, unless a ribbon has a floor.
     pub(crate) cover: Option<Cover>,
+    /// Height of that floor, metres.
+    pub(crate) floor_m: Option<f64>,
     /// Thickness of a leaf, metres.
     pub(crate) thickness_m: f32,
 }
@@ -48,12 +51,12 @@ impl Look {
             up: Vec3::new(0.0, 1.0, -1e-3),
             fov_y_rad: fov_y_deg.to_radians() as f32,
         };
-        let drop = set.cover.map_or(0.0, table_drop_m) as f32;
+        let ground = set.floor_m.unwrap_or(-set.cover.map_or(0.0, table_drop_m)) as f32;
         Ok(Self {
             camera,
             lights: Lights::reading_room(),
             renderer: Renderer::new(width_px, height_px, SAMPLES)?,
-            table: table(-drop - GAP_M),
+            table: table(ground - GAP_M),
             set,
             pages,
         })
@@ -80,7 +83,12 @@ impl Look {
                 material: material(piece.surface, shot, &faces, pages, set),
             })
             .collect();
-        if set.cover.is_some() {
+        patches.extend(shot.bands.iter().map(|band| Patch {
+            vertices: &band.vertices,
+            indices: &band.indices,
+            material: fabric(band.fabric),
+        }));
+        if set.cover.is_some() || set.floor_m.is_some() {
             let material = Material::Table { colour: Vec3::new(0.105, 0.066, 0.042), grain: 1.0 };
             patches.push(Patch { vertices: table, indices: &TABLE_TRIANGLES, material });
         }

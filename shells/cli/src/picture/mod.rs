@@ -1,11 +1,13 @@
 //! From a simulated scene to an animation: shots, page pictures, materials, film.
 
+mod band;
 mod film;
 mod look;
 mod pages;
 mod sheet;
 mod shot;
 
+pub(crate) use band::{BandShot, band_shot};
 pub(crate) use film::Film;
 pub(crate) use look::{Look, Set};
 use pages::Faces;

@@ -83,14 +83,7 @@ mod tests {
     use super::*;
 
     fn shot(leaves: [u32; 2], held: u32) -> Shot {
-        Shot {
-            vertices: Vec::new(),
-            indices: [].into(),
-            pieces: Vec::new(),
-            leaves,
-            held,
-            free: 1.0,
-        }
+        Shot { leaves, held, ..Shot::bare() }
     }
 
     #[test]

@@ -20,7 +20,7 @@ pub(crate) fn sheet_shot(leaf: &LeafNodes, thickness_m: f32) -> Shot {
     let piece = |surface, indices| Piece { surface, indices };
     let pieces =
         vec![piece(Surface::LeafUp, 0..half), piece(Surface::LeafDown, half..indices.len())];
-    Shot { vertices, indices: indices.into(), pieces, leaves: [0; 2], held: 1, free: 1.0 }
+    Shot { vertices, indices: indices.into(), pieces, held: 1, ..Shot::bare() }
 }
 
 /// Points in columns.
@@ -108,7 +108,7 @@ impl Net {
 }
 
 /// Catmull and Rom's curve between the second and third of four points.
-fn cubic([a, b, c, d]: [Vec3; 4], t: f32) -> Vec3 {
+pub(super) fn cubic([a, b, c, d]: [Vec3; 4], t: f32) -> Vec3 {
     let (m, n) = ((c - a) * 0.5, (d - b) * 0.5);
     let (t2, t3) = (t * t, t * t * t);
     b * (2.0 * t3 - 3.0 * t2 + 1.0)

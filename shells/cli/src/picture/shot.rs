@@ -1,5 +1,6 @@
 //! One pose as triangles, kept until it is drawn: physics first, pictures afterwards.
 
+use super::BandShot;
 use crate::error::CliError;
 use dogleaf_core::Book;
 use dogleaf_core::grid::Grid;
@@ -28,9 +29,24 @@ pub(crate) struct Shot {
     /// How far the leaf in the air has left the page beneath it: 0 where it lies on it, 1 where light gets
     /// between them.
     pub(crate) free: f32,
+    /// The ribbons.
+    pub(crate) bands: Vec<BandShot>,
 }
 
 impl Shot {
+    /// Nothing to be seen.
+    pub(crate) fn bare() -> Self {
+        Self {
+            vertices: Vec::new(),
+            indices: [].into(),
+            pieces: Vec::new(),
+            leaves: [0; 2],
+            held: 0,
+            free: 1.0,
+            bands: Vec::new(),
+        }
+    }
+
     /// The triangles of a piece.
     pub(crate) fn triangles(&self, piece: &Piece) -> &[u16] {
         self.indices.get(piece.indices.clone()).unwrap_or_default()
@@ -60,6 +76,7 @@ pub(crate) fn book_shot<R: Real, G: Grid>(
         pieces: there.map(|p| Piece { surface: p.surface, indices: p.indices }).collect(),
         leaves: book.binding().leaves,
         held: book.binding().held,
+        bands: Vec::new(),
     })
 }
 

@@ -18,7 +18,8 @@ struct Header<'a> {
     real: &'static str,
     units: &'static str,
     fidelity: &'static str,
-    grid: [usize; 2],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    grid: Option<[usize; 2]>,
     step_us: u32,
     frame_us: u32,
     scene: String,
@@ -88,11 +89,11 @@ impl Lines {
             real: args.real.name(),
             units: "SI",
             fidelity: args.fidelity.name(),
-            grid: scene.grid.size(),
+            grid: scene.body.name().map(|_| scene.grid.size()),
             step_us: scene.world.step_us,
             frame_us: scene.frame_us,
             scene: shown(&args.scene),
-            parts: &[scene.body.name()],
+            parts: &scene.parts(),
         })?;
         Ok(lines)
     }

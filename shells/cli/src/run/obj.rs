@@ -1,8 +1,9 @@
-//! Wavefront OBJ: the leaf's net and the meshes around it, one file a frame. Metres, book frame.
+//! Wavefront OBJ: the leaf's net, the meshes around it and the ribbons, one file a frame. Metres, book frame.
 
 use crate::error::CliError;
 use crate::picture::Shot;
 use crate::sim::LeafNodes;
+use dogleaf_core::mesh::Vertex;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -55,27 +56,43 @@ fn net(text: &mut String, leaf: &LeafNodes) -> usize {
 
 /// The parts that are drawn, each an object. OBJ counts `v` from the tail up, the core from the head down.
 fn meshes(text: &mut String, shot: &Shot, before: usize) {
-    for v in &shot.vertices {
+    corners(text, &shot.vertices);
+    for piece in &shot.pieces {
+        let _ = writeln!(text, "o {:?}", piece.surface);
+        faces(text, shot.triangles(piece), [before, 0]);
+    }
+    let mut normals = shot.vertices.len();
+    for (k, band) in shot.bands.iter().enumerate() {
+        corners(text, &band.vertices);
+        let _ = writeln!(text, "o Ribbon{k}");
+        faces(text, &band.indices, [before + normals, normals]);
+        normals += band.vertices.len();
+    }
+}
+
+fn corners(text: &mut String, vertices: &[Vertex]) {
+    for v in vertices {
         let [x, y, z] = v.position;
         let _ = writeln!(text, "v {x} {y} {z}");
     }
-    for v in &shot.vertices {
+    for v in vertices {
         let _ = writeln!(text, "vt {} {}", v.uv[0], 1.0 - v.uv[1]);
     }
-    for v in &shot.vertices {
+    for v in vertices {
         let [x, y, z] = v.normal;
         let _ = writeln!(text, "vn {x} {y} {z}");
     }
-    for piece in &shot.pieces {
-        let _ = writeln!(text, "o {:?}", piece.surface);
-        for corners in shot.triangles(piece).chunks_exact(3) {
-            text.push('f');
-            for &corner in corners {
-                let normal = usize::from(corner) + 1;
-                let place = before + normal;
-                let _ = write!(text, " {place}/{place}/{normal}");
-            }
-            text.push('\n');
+}
+
+/// Triangles whose corners are counted behind so many places and so many normals.
+fn faces(text: &mut String, indices: &[u16], [places, normals]: [usize; 2]) {
+    for triangle in indices.chunks_exact(3) {
+        text.push('f');
+        for &corner in triangle {
+            let own = usize::from(corner) + 1;
+            let (place, normal) = (places + own, normals + own);
+            let _ = write!(text, " {place}/{place}/{normal}");
         }
+        text.push('\n');
     }
 }

@@ -24,10 +24,11 @@ impl Picture {
     pub(super) fn open(out: &Path, scene: &Scene) -> Result<Self, CliError> {
         let (direction, cover) = match scene.body {
             Body::Book(book) => (book.direction, Some(book.cover)),
-            Body::Leaf(_) => (Direction::Ltr, None),
+            Body::Leaf(_) | Body::Nothing => (Direction::Ltr, None),
         };
+        let floor_m = scene.ribbons.iter().find_map(|r| r.floor).map(|f| f.height_m);
         let thickness_m = (scene.paper.thickness_mm * 1e-3) as f32;
-        let set = Set { view: scene.view, direction, cover, thickness_m };
+        let set = Set { view: scene.view, direction, cover, floor_m, thickness_m };
         let rate = 1e6 / f64::from(scene.frame_us);
         let every = (rate / MOST_FPS - 0.01).ceil().max(1.0) as u32;
         let fps = (rate / f64::from(every)).round().max(1.0) as u32;

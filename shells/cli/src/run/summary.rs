@@ -4,7 +4,7 @@ use super::Frame;
 use crate::args::RunArgs;
 use crate::error::CliError;
 use crate::scene::Scene;
-use crate::sim::EventName;
+use crate::sim::{EventName, RibbonWork, Rims};
 use dogleaf_core::step::StepReport;
 use std::io::Write;
 
@@ -17,6 +17,7 @@ pub(super) struct Summary {
     stretch_max: f64,
     events: Vec<String>,
     free_edge: Option<[f64; 2]>,
+    ribbons: Vec<Told>,
     hash: String,
 }
 
@@ -32,6 +33,10 @@ impl Summary {
             let mean = |c: usize| edge.iter().map(|p| p[c]).sum::<f64>() / edge.len() as f64;
             Some([mean(0), mean(1)])
         });
+        self.ribbons.resize(frame.pose.ribbons.len(), Told::default());
+        for (told, rims) in self.ribbons.iter_mut().zip(&frame.pose.ribbons) {
+            told.take(rims);
+        }
         self.hash.clone_from(&frame.pose.hash);
     }
 
@@ -53,9 +58,11 @@ impl Summary {
         scene: &Scene,
         bytes: usize,
     ) -> std::io::Result<()> {
-        let (body, grid) = (scene.body.name(), scene.grid);
+        let grid =
+            scene.body.name().map_or_else(String::new, |_| format!(", {} nodes", scene.grid));
+        let parts = scene.parts().join(" and ");
         let (real, fidelity) = (args.real.name(), args.fidelity.name());
-        writeln!(out, "scene      {body}, {grid} nodes, {real}, {fidelity}, {bytes} bytes")?;
+        writeln!(out, "scene      {parts}{grid}, {real}, {fidelity}, {bytes} bytes")?;
         writeln!(out, "frames     {} ({:.3} s)", self.frames, self.time_s)?;
         let t = &self.total;
         writeln!(
@@ -68,10 +75,48 @@ impl Summary {
         if let Some([x, y]) = self.free_edge {
             writeln!(out, "free edge  {:.2} mm across, {:.2} mm up", 1e3 * x, 1e3 * y)?;
         }
+        for (k, told) in self.ribbons.iter().enumerate() {
+            told.line(out, k)?;
+        }
         for event in &self.events {
             writeln!(out, "event      {event}")?;
         }
         writeln!(out, "hash       {}", self.hash)
+    }
+}
+
+/// What a ribbon came to.
+#[derive(Debug, Clone, Default)]
+struct Told {
+    work: RibbonWork,
+    /// Frames whose solves did not all converge.
+    short: u32,
+    gap: Option<f64>,
+    energy: f64,
+    end: [f64; 3],
+}
+
+impl Told {
+    fn take(&mut self, rims: &Rims) {
+        self.work.add(&rims.work);
+        self.short += u32::from(rims.status != "converged");
+        self.gap = rims.gap.map(|gap| gap.max(self.gap.unwrap_or(0.0)));
+        self.energy = rims.energy.kinetic + rims.energy.potential;
+        if let (Some(a), Some(b)) = (rims.rim_a.last(), rims.rim_b.last()) {
+            self.end = std::array::from_fn(|i| 500.0 * (a[i] + b[i]));
+        }
+    }
+
+    fn line(&self, out: &mut impl Write, number: usize) -> std::io::Result<()> {
+        let ([x, y, z], w) = (self.end, &self.work);
+        let closed =
+            self.gap.map_or_else(String::new, |gap| format!(", open by {gap:.1e} at most"));
+        writeln!(
+            out,
+            "ribbon {number:<3} {} steps, {} Newton steps, {} factorisations, {} trials; {} frames short of converged{closed}",
+            w.steps, w.newton_steps, w.factorisations, w.trials, self.short
+        )?;
+        writeln!(out, "           ends at {x:.2}, {y:.2}, {z:.2} mm; {:.6} J", self.energy)
     }
 }
 

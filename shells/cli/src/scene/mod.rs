@@ -6,9 +6,11 @@
 mod error;
 mod hint;
 mod parts;
+mod ribbon;
 mod section;
 
 pub(crate) use error::{Fault, SceneError};
+pub(crate) use ribbon::{Fabric, Floor, MOST_SEGMENTS, RibbonPart, Start, Twist};
 
 use crate::error::{CliError, shown};
 use crate::files::read_text;
@@ -24,7 +26,7 @@ use toml::de::DeTable;
 const TABLES: [&str; 9] =
     ["world", "paper", "leaf", "book", "hand", "view", "ribbon", "sheet", "sound"];
 /// Effects of other versions: known, and refused.
-const EFFECTS: [&str; 3] = ["ribbon", "sheet", "sound"];
+const EFFECTS: [&str; 2] = ["sheet", "sound"];
 /// Largest scene read, bytes: inline samples of an hour.
 const LARGEST: u64 = 32 << 20;
 /// Picture a scene is seen in unless it says otherwise.
@@ -35,22 +37,17 @@ pub(crate) const PICTURE: [u32; 2] = [960, 720];
 pub(crate) enum Body {
     Book(BookSpec),
     Leaf(LeafSpec),
+    /// Neither: the scene is its ribbons.
+    Nothing,
 }
 
 impl Body {
     /// The name of its table.
-    pub(crate) fn name(&self) -> &'static str {
+    pub(crate) fn name(&self) -> Option<&'static str> {
         match self {
-            Self::Book(_) => "book",
-            Self::Leaf(_) => "leaf",
-        }
-    }
-
-    /// Width and height of its leaf, metres.
-    pub(crate) fn size_m(&self) -> [f64; 2] {
-        match self {
-            Self::Book(b) => [b.width_m, b.height_m],
-            Self::Leaf(l) => [l.width_m, l.height_m],
+            Self::Book(_) => Some("book"),
+            Self::Leaf(_) => Some("leaf"),
+            Self::Nothing => None,
         }
     }
 }
@@ -67,9 +64,16 @@ pub(crate) struct Scene {
     pub(crate) view: View,
     /// What the hand does.
     pub(crate) samples: Vec<Sample>,
+    pub(crate) ribbons: Vec<RibbonPart>,
 }
 
 impl Scene {
+    /// The names of what is simulated.
+    pub(crate) fn parts(&self) -> Vec<&'static str> {
+        let ribbon = (!self.ribbons.is_empty()).then_some("ribbon");
+        self.body.name().into_iter().chain(ribbon).collect()
+    }
+
     /// Reads a scene from a file; a gesture it names is looked for beside it.
     pub(crate) fn load(path: &Path) -> Result<Self, CliError> {
         let text = read_text(path, LARGEST)?;
@@ -88,17 +92,19 @@ impl Scene {
         }
         let (world, frame_us) = parts::world(&root)?;
         let (body, grid) = parts::body(&root)?;
+        let ribbons = ribbon::ribbons(&root, &world)?;
         let scene = Self {
             world,
             frame_us,
             paper: parts::paper(&root)?,
             body,
             grid,
-            view: parts::view(&root, &body)?,
+            view: parts::view(&root, &body, &ribbons)?,
             samples: Self::hand(&root, beside)?,
+            ribbons,
         };
-        if !scene.samples.is_empty() && matches!(body, Body::Leaf(_)) {
-            let fault = Fault::Conflict("[hand] needs a [book]: a lone leaf cannot be held");
+        if !scene.samples.is_empty() && !matches!(body, Body::Book(_)) {
+            let fault = Fault::Conflict("[hand] needs a [book]: nothing else can be held");
             return Err(root.fault("hand", fault).into());
         }
         Ok(scene)

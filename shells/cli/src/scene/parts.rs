@@ -1,6 +1,7 @@
 //! The tables of a scene, each into the core's spec of the same name.
 
 use super::error::{Fault, SceneError};
+use super::ribbon::{RibbonPart, extent};
 use super::section::Section;
 use super::{Body, PICTURE};
 use crate::grid::GridName;
@@ -13,7 +14,10 @@ use dogleaf_core::scene::{
 const FRAME_US: std::ops::RangeInclusive<u32> = 100..=1_000_000;
 
 /// A spec's fault at the line of the key it names.
-fn check(section: &Section<'_>, result: Result<(), SpecError>) -> Result<(), SceneError> {
+pub(super) fn check(
+    section: &Section<'_>,
+    result: Result<(), SpecError>,
+) -> Result<(), SceneError> {
     result.map_err(|error| {
         let (SpecError::NotFinite(field) | SpecError::OutOfRange(field)) = error;
         let path = field.split(' ').next().unwrap_or(field);
@@ -77,13 +81,19 @@ fn weights<'a>(paper: &Section<'a>) -> Result<Option<(Section<'a>, Weights)>, Sc
     Ok(Some((s, weights)))
 }
 
-/// The book or the lone leaf; a book where the scene names neither.
+/// The book or the lone leaf; a book where the scene names neither, nor a ribbon.
 pub(super) fn body(root: &Section<'_>) -> Result<(Body, GridName), SceneError> {
     if root.has("leaf") && root.has("book") {
         let fault = Fault::Conflict("a scene has a [book] or a [leaf], not both");
         return Err(root.fault("leaf", fault));
     }
-    if root.has("leaf") { leaf(root) } else { book(root) }
+    if root.has("leaf") {
+        leaf(root)
+    } else if root.has("ribbon") && !root.has("book") {
+        Ok((Body::Nothing, GridName::default()))
+    } else {
+        book(root)
+    }
 }
 
 fn book(root: &Section<'_>) -> Result<(Body, GridName), SceneError> {
@@ -130,16 +140,20 @@ fn grid(s: &Section<'_>) -> Result<GridName, SceneError> {
     })
 }
 
-/// Where the reader looks from: at the whole spread, or at the side of a lone leaf; changed number by
+/// Where the reader looks from: at the whole spread, at the side of a lone leaf, or at the ribbons; changed number by
 /// number.
-pub(super) fn view(root: &Section<'_>, body: &Body) -> Result<View, SceneError> {
+pub(super) fn view(
+    root: &Section<'_>,
+    body: &Body,
+    ribbons: &[RibbonPart],
+) -> Result<View, SceneError> {
     let s = root.section("view", &["eye_m", "target_m", "fov_y_deg", "width_px", "height_px"])?;
     let width_px = s.whole("width_px", PICTURE[0])?;
     let height_px = s.whole("height_px", PICTURE[1])?;
-    let [width, height] = body.size_m();
     let d = match body {
-        Body::Book(_) => View::reading(width, height, width_px, height_px),
-        Body::Leaf(_) => beside([width, height], [width_px, height_px]),
+        Body::Book(b) => View::reading(b.width_m, b.height_m, width_px, height_px),
+        Body::Leaf(l) => beside([l.width_m, l.height_m], [width_px, height_px]),
+        Body::Nothing => facing(extent(ribbons), [width_px, height_px]),
     };
     let view = View {
         eye_m: s.numbers("eye_m", d.eye_m)?,
@@ -159,6 +173,12 @@ fn beside([width, height]: [f64; 2], [width_px, height_px]: [u32; 2]) -> View {
     let [x, y, _] = target_m;
     let eye_m = [x + 0.9 * large, y + 1.2 * large, 0.5 * height + 2.9 * large];
     View { eye_m, target_m, fov_y_deg: 30.0, width_px, height_px }
+}
+
+/// Something of a size, seen from its front and a little from above.
+fn facing(([x, y, z], size): ([f64; 3], f64), [width_px, height_px]: [u32; 2]) -> View {
+    let eye_m = [x + 0.5 * size, y + 0.6 * size, z + 2.2 * size];
+    View { eye_m, target_m: [x, y, z], fov_y_deg: 30.0, width_px, height_px }
 }
 
 /// What the hand does: a file, or samples.

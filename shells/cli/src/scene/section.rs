@@ -120,6 +120,10 @@ impl<'a> Section<'a> {
         })
     }
 
+    pub(crate) fn flag(&self, key: &str, default: bool) -> Result<bool, SceneError> {
+        self.read(key, default, "true or false", |v| v.as_bool())
+    }
+
     pub(crate) fn numbers<const N: usize>(
         &self,
         key: &str,
@@ -161,7 +165,13 @@ impl<'a> Section<'a> {
         known: &[&str],
     ) -> Result<Vec<Section<'a>>, SceneError> {
         let Some(value) = self.get(key) else { return Ok(Vec::new()) };
-        let wrong = || self.wrong(key, value, "a list of tables: [{..}, {..}]");
+        let wrong = || {
+            self.wrong(
+                key,
+                value,
+                format!("a list of tables: write [[{name}]] or [{{..}}, {{..}}]"),
+            )
+        };
         let list = value.get_ref().as_array().ok_or_else(wrong)?;
         let mut sections = Vec::with_capacity(list.len());
         for item in list {

@@ -86,6 +86,7 @@ impl<R: Real, G: Grid> Sim for BookSim<R, G> {
             hash: format!("{:016x}", book.state_hash()),
             leaf: book.leaf().map(|leaf| LeafNodes::of(leaf, book.units())),
             midline: Some(midline(book)),
+            ribbons: Vec::new(),
             stretch: book.stretch().into(),
             energy: Energy::of(book.energy(), book.units()),
             events,

@@ -65,6 +65,7 @@ impl<R: Real, G: Grid> Sim for LeafSim<R, G> {
             hash: format!("{:016x}", lone.state_hash()),
             leaf: Some(LeafNodes::of(lone.leaf(), lone.units())),
             midline: None,
+            ribbons: Vec::new(),
             stretch: lone.stretch().into(),
             energy: Energy::of(lone.energy(), lone.units()),
             events: Vec::new(),

@@ -1,10 +1,12 @@
-//! What a scene becomes: a book or a lone leaf on some grid and scalar, behind one face.
+//! What a scene becomes: a book or a lone leaf on some grid and scalar, ribbons, or both, behind one face.
 
+mod band;
 mod book;
 mod leaf;
 mod pose;
+mod ribbon;
 
-pub(crate) use pose::{Energy, EventName, LeafNodes, Pose};
+pub(crate) use pose::{Energy, EventName, LeafNodes, Pose, RibbonWork, Rims, Strain};
 
 use crate::error::CliError;
 use crate::grid::with_grid;
@@ -70,12 +72,28 @@ pub(crate) fn build(
     real: RealName,
     fidelity: Fidelity,
 ) -> Result<Box<dyn Sim>, CliError> {
-    with_grid!(scene.grid, G => match (scene.body, real) {
+    let body = body(scene, real, fidelity)?;
+    match (body, real) {
+        (Some(sim), _) if scene.ribbons.is_empty() => Ok(sim),
+        (beside, RealName::F32) => ribbon::build::<f32>(scene, beside, fidelity),
+        (beside, RealName::F64) => ribbon::build::<f64>(scene, beside, fidelity),
+    }
+}
+
+/// The book or the leaf, where there is one.
+fn body(
+    scene: &Scene,
+    real: RealName,
+    fidelity: Fidelity,
+) -> Result<Option<Box<dyn Sim>>, CliError> {
+    let sim = with_grid!(scene.grid, G => match (scene.body, real) {
         (Body::Book(spec), RealName::F32) => book::build::<f32, G>(scene, &spec, fidelity),
         (Body::Book(spec), RealName::F64) => book::build::<f64, G>(scene, &spec, fidelity),
         (Body::Leaf(spec), RealName::F32) => leaf::build::<f32, G>(scene, &spec, fidelity),
         (Body::Leaf(spec), RealName::F64) => leaf::build::<f64, G>(scene, &spec, fidelity),
-    })
+        (Body::Nothing, _) => return Ok(None),
+    });
+    sim.map(Some)
 }
 
 /// Samples and time on their way into a scene: each sample just before the step it belongs to.

@@ -17,6 +17,8 @@ pub(crate) struct Pose {
     /// Fifteen nodes from the left fore-edge to the right one, metres.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) midline: Option<Vec<[f64; 2]>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(crate) ribbons: Vec<Rims>,
     pub(crate) stretch: Strain,
     pub(crate) energy: Energy,
     pub(crate) events: Vec<EventName>,
@@ -34,6 +36,40 @@ impl LeafNodes {
     pub(crate) fn of<R: Real, G: Grid>(leaf: &Leaf<R, G>, units: &Units) -> Self {
         let metres = |(i, k)| leaf.x.at(i, k).0.map(|c| units.to_metres(c.wide()));
         Self { nx: G::NX, nz: G::NZ, nodes: Field::<R, G>::nodes().map(metres).collect() }
+    }
+}
+
+/// A ribbon's two borders from its start to its end, metres, and what its steps came to.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(crate) struct Rims {
+    pub(crate) rim_a: Vec<[f64; 3]>,
+    pub(crate) rim_b: Vec<[f64; 3]>,
+    /// How the worst solve of the frame ended.
+    pub(crate) status: &'static str,
+    pub(crate) work: RibbonWork,
+    /// How far a loop is from closed: radians, or share of its length.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) gap: Option<f64>,
+    pub(crate) stretch: Strain,
+    pub(crate) energy: Energy,
+}
+
+/// What a ribbon's frame cost, in counts.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
+pub(crate) struct RibbonWork {
+    pub(crate) steps: u32,
+    pub(crate) newton_steps: u32,
+    pub(crate) factorisations: u32,
+    pub(crate) trials: u32,
+}
+
+impl RibbonWork {
+    /// Adds another frame's.
+    pub(crate) fn add(&mut self, o: &Self) {
+        self.steps += o.steps;
+        self.newton_steps += o.newton_steps;
+        self.factorisations += o.factorisations;
+        self.trials += o.trials;
     }
 }
 
@@ -61,6 +97,10 @@ impl Energy {
     pub(crate) fn of<R: Real>([kinetic, potential]: [R; 2], units: &Units) -> Self {
         let joules = |e: R| units.to_joules(e.wide());
         Self { kinetic: joules(kinetic), potential: joules(potential) }
+    }
+    /// Together with another's.
+    pub(crate) fn and(self, o: Self) -> Self {
+        Self { kinetic: self.kinetic + o.kinetic, potential: self.potential + o.potential }
     }
 }
 

@@ -55,6 +55,7 @@ fn look(
         view: View::reading(book.width_m, book.height_m, width, height),
         direction: book.direction,
         cover: Some(book.cover),
+        floor_m: None,
         thickness_m: (paper.thickness_mm * 1e-3) as f32,
     };
     let size = shape::page_pixels(&set.view, book);

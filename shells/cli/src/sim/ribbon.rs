@@ -1,0 +1,134 @@
+//! Ribbons as a scene, alone or beside a book or a leaf.
+
+use super::band::Band;
+use super::{Energy, Pose, Recording, Sim, Strain};
+use crate::error::CliError;
+use crate::picture::Shot;
+use crate::scene::Scene;
+use dogleaf_core::effect::ribbon::Settings;
+use dogleaf_core::hand::Sample;
+use dogleaf_core::real::Real;
+use dogleaf_core::scene::Fidelity;
+use dogleaf_core::state::Fnv;
+use dogleaf_core::step::StepReport;
+
+/// Slower than this, metres per second, a ribbon is still.
+const STILL: f64 = 1e-3;
+/// How long it has to be, microseconds.
+const STILL_US: u64 = 500_000;
+
+struct Ribbons<R: Real> {
+    /// The book or the leaf.
+    beside: Option<Box<dyn Sim>>,
+    bands: Vec<Band<R>>,
+    step_us: u32,
+    now_us: u64,
+    moved_us: u64,
+}
+
+/// Lays the ribbons of a scene.
+pub(super) fn build<R: Real>(
+    scene: &Scene,
+    beside: Option<Box<dyn Sim>>,
+    fidelity: Fidelity,
+) -> Result<Box<dyn Sim>, CliError> {
+    let settings = settings::<R>(fidelity);
+    let band = |part| Band::<R>::lay(part, &scene.world, &settings);
+    let bands: Result<Vec<_>, CliError> = scene.ribbons.iter().map(band).collect();
+    let step_us = scene.world.step_us;
+    Ok(Box::new(Ribbons { beside, bands: bands?, step_us, now_us: 0, moved_us: 0 }))
+}
+
+/// What a step is allowed; single precision does not see steps below a ten-thousandth.
+fn settings<R: Real>(fidelity: Fidelity) -> Settings {
+    let finest = if R::EPSILON > 1e-10 { 1e-4 } else { 0.0 };
+    let of = |iterations, tolerance: f64| Settings {
+        iterations,
+        tolerance: tolerance.max(finest),
+        ..Settings::STEP
+    };
+    match fidelity {
+        Fidelity::Draft => of(15, 1e-3),
+        Fidelity::Standard => Settings::STEP,
+        Fidelity::Fine => of(120, 1e-6),
+        Fidelity::Reference => of(1_000, 1e-9),
+    }
+}
+
+impl<R: Real> Sim for Ribbons<R> {
+    fn input(&mut self, sample: Sample) -> bool {
+        self.beside.as_mut().is_some_and(|sim| sim.input(sample))
+    }
+
+    fn step(&mut self) -> StepReport {
+        let alone = || StepReport { steps: 1, ..StepReport::default() };
+        let mut report = self.beside.as_mut().map_or_else(alone, |sim| sim.step());
+        self.now_us += u64::from(self.step_us);
+        for band in &mut self.bands {
+            report.status = report.status.worse(band.step(self.now_us, self.step_us));
+        }
+        let moving = |band: &Band<R>| band.fastest() > STILL || band.turning(self.now_us);
+        if self.bands.iter().any(moving) {
+            self.moved_us = self.now_us;
+        }
+        report
+    }
+
+    fn now_us(&self) -> u64 {
+        self.now_us
+    }
+
+    fn resting(&self) -> bool {
+        self.now_us >= self.moved_us + STILL_US && self.beside.as_ref().is_none_or(|s| s.resting())
+    }
+
+    fn pose(&mut self) -> Pose {
+        let mut pose = self.beside.as_mut().map_or_else(nothing, |sim| sim.pose());
+        let mut hash = Fnv::default();
+        hash.word(u64::from_str_radix(&pose.hash, 16).unwrap_or(0));
+        let mut stretch = pose.stretch;
+        for band in &mut self.bands {
+            hash.word(band.hash());
+            let rims = band.rims();
+            pose.energy = pose.energy.and(rims.energy);
+            stretch.max = stretch.max.max(rims.stretch.max);
+            stretch.rms = stretch.rms.max(rims.stretch.rms);
+            pose.ribbons.push(rims);
+        }
+        pose.stretch = stretch;
+        pose.hash = format!("{:016x}", hash.value());
+        pose
+    }
+
+    fn shot(&self) -> Result<Shot, CliError> {
+        let mut shot = self.beside.as_ref().map_or_else(|| Ok(Shot::bare()), |sim| sim.shot())?;
+        shot.bands.extend(self.bands.iter().map(Band::shot));
+        Ok(shot)
+    }
+
+    fn record(&mut self) -> Result<(), CliError> {
+        Err(CliError::Call("a recording is of a book alone; this scene has ribbons".into()))
+    }
+
+    fn recording(&mut self) -> Result<Recording, CliError> {
+        Ok(Recording::default())
+    }
+
+    fn bytes(&self) -> usize {
+        let own: usize = self.bands.iter().map(Band::bytes).sum();
+        own + self.beside.as_ref().map_or(0, |sim| sim.bytes())
+    }
+}
+
+/// What is seen of no body.
+fn nothing() -> Pose {
+    Pose {
+        hash: String::new(),
+        leaf: None,
+        midline: None,
+        ribbons: Vec::new(),
+        stretch: Strain { max: 0.0, rms: 0.0 },
+        energy: Energy { kinetic: 0.0, potential: 0.0 },
+        events: Vec::new(),
+    }
+}
