@@ -1,5 +1,6 @@
 //! The promises about ribbons, in one program, as `promises` is for the book.
 
+mod ribbon_bookmark;
 mod ribbon_chains;
 mod ribbon_contact;
 mod ribbon_derivatives;

@@ -135,6 +135,10 @@ impl<R: Real, G: Grid> Book<R, G> {
     pub fn held(&self) -> Option<Grab<R>> {
         self.grab
     }
+    /// Gravity, metres per second squared.
+    pub fn gravity_m(&self) -> [f64; 3] {
+        self.gravity.0.map(|g| self.units.to_metres(g.wide()))
+    }
     /// Where the reader looks from. Model units.
     pub fn camera(&self) -> &Camera<R> {
         &self.camera

@@ -119,7 +119,9 @@ impl From<HandName> for Handling {
   dogleaf turn novel.pdf
   dogleaf turn comic.cbz -o frames/ --direction rtl
   dogleaf turn scans/ -o turn.gif --page 42 --size 640x480
-  dogleaf turn novel.pdf --gesture flick.jsonl --fidelity fine --json")]
+  dogleaf turn novel.pdf --gesture flick.jsonl --fidelity fine --json
+  dogleaf turn novel.pdf --ribbon          a bookmark lies where the book is open
+  dogleaf turn novel.pdf --ribbon=40       it marks page 40")]
 pub(crate) struct TurnArgs {
     /// A PDF, a CBZ, or a folder of images.
     pub(crate) book: PathBuf,
@@ -141,6 +143,9 @@ pub(crate) struct TurnArgs {
     /// How the finger holds the page.
     #[arg(long, value_enum, default_value_t)]
     pub(crate) hand: HandName,
+    /// Sew a ribbon bookmark to the spine: at a page, or where the book is open.
+    #[arg(long, value_name = "PAGE", num_args = 0..=1, require_equals = true, default_missing_value = "0")]
+    pub(crate) ribbon: Option<u32>,
     /// Pixels of the picture.
     #[arg(long, value_name = "WxH", default_value = "960x720", value_parser = size)]
     pub(crate) size: [u32; 2],

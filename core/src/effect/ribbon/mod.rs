@@ -18,6 +18,7 @@
 //! | `newton`, `report` | the method, its limits and its answer |
 //! | `life` | [`Ribbon`]: what a caller holds |
 //! | `energy` | what energy it has |
+//! | `bookmark` | the ribbon sewn to a book |
 //!
 //! Source: the seed's "Modelling Developable Ribbons Using Ruling Bending Coordinates", cited as Ribbon.
 
@@ -42,6 +43,7 @@ pub mod report;
 pub mod newton;
 pub mod life;
 pub mod energy;
+pub mod bookmark;
 
 pub use life::Ribbon;
 pub use load::{Ask, Guide, Loads, Pull, Spring};

@@ -2,6 +2,7 @@
 
 mod play;
 mod report;
+mod sewn;
 pub(crate) mod shape;
 
 use crate::args::TurnArgs;
@@ -31,7 +32,8 @@ pub(crate) fn turn(args: &TurnArgs) -> Result<(), CliError> {
     let [width, height] = args.size;
     let writer = Writer::create(&args.out, width, height, FPS)?;
     let (fidelity, handling) = (args.fidelity.into(), args.hand.into());
-    let play = Play { book, paper, view: hand_view, fidelity, handling };
+    let ribbon = args.ribbon.map(|page| sewn::place(page, &book)).transpose()?;
+    let play = Play { book, paper, view: hand_view, fidelity, handling, ribbon };
     let (film, figures) = play.run(&samples)?;
     film.write(&mut look, writer)?;
     report::print(&figures, args.json, &shown(&args.out))

@@ -1,6 +1,7 @@
 //! The physics of a turn: every step timed, every second one kept as a shot.
 
 use super::FPS;
+use super::sewn::{self, Sewn};
 use crate::bench::times;
 use crate::error::CliError;
 use crate::picture::{Film, book_indices, book_shot};
@@ -28,6 +29,8 @@ pub(super) struct Play {
     pub(super) view: View,
     pub(super) fidelity: Fidelity,
     pub(super) handling: Handling,
+    /// Leaves on the left of a bookmark.
+    pub(super) ribbon: Option<u32>,
 }
 
 /// What is told of it.
@@ -44,6 +47,7 @@ pub(super) struct Figures {
     /// Page the book is open at in the end, if a leaf came to the other side.
     pub(super) committed: Option<u32>,
     pub(super) simulated: Vec<&'static str>,
+    pub(super) ribbon: Option<sewn::Figures>,
 }
 
 /// Times the turn is played: of a step's times the least is told, for the machine can only add to it.
@@ -93,18 +97,23 @@ impl Play {
         let indices = book_indices::<G11x8>()?;
         let mut film = Film::default();
         let mut figures = Figures { simulated: self.simulated(), ..Figures::default() };
+        let mut sewn = Sewn::default();
         self.steps(&mut book, samples, |step, book, report, micros| {
             figures.take(book, report, micros);
+            if let Some(place) = self.ribbon {
+                sewn.follow(step, book, place)?;
+            }
             if step % STEPS_A_FRAME == 0 {
-                film.add(book_shot(book, &indices)?);
+                film.add(sewn.beside(book_shot(book, &indices)?));
             }
             if step == 0 {
                 film.hold(STILL);
             }
             Ok(())
         })?;
-        film.add(book_shot(&book, &indices)?);
+        film.add(sewn.beside(book_shot(&book, &indices)?));
         film.hold(STILL);
+        figures.ribbon = sewn.figures(&book);
         for _ in 1..RUNS {
             let mut known = figures.micros.iter_mut();
             self.steps(&mut book, samples, |_, _, report, micros| {
@@ -151,6 +160,9 @@ impl Play {
         let mut parts = vec!["leaf", "page blocks"];
         if self.book.cover == Cover::Hard {
             parts.push("boards");
+        }
+        if self.ribbon.is_some() {
+            parts.push("ribbon");
         }
         parts.push("contact");
         parts

@@ -18,6 +18,8 @@ const SHARE: f64 = 0.9;
 const SINKS: f64 = 0.1;
 /// Meetings of two segments at most.
 const MEETINGS: usize = 24;
+/// Solids that push one vertex at once.
+const SOLIDS: usize = 8;
 
 impl<R: Real, S: Surface<R>, const N: usize, const O: usize, const K: usize> Near<R, S, N, O, K> {
     /// What a pair's segments have for themselves.
@@ -58,12 +60,14 @@ impl<R: Real, S: Surface<R>, const N: usize, const O: usize, const K: usize> Nea
         let end = crease >= self.n;
         let shares = if end { [[o, o, l, o], [o, o, o, l]] } else { [[l, o, o, o], [o, l, o, o]] };
         for (p, weights) in pose.pair(crease).into_iter().zip(shares) {
-            let (d, normal) = self.surface.above(p);
-            let [_, slope, curve] = barrier(&self.cushion, d, SOLID);
-            if curve > o {
-                let push = Push { weights, normal, slope, curve };
-                self.keep(if end { crease - 1 } else { crease }, push);
-            }
+            let mut found = Vec::<Push<R>, SOLIDS>::new();
+            self.surface.each(p, |d, normal| {
+                let [_, slope, curve] = barrier(&self.cushion, d, SOLID);
+                if curve > o {
+                    let _ = found.push(Push { weights, normal, slope, curve });
+                }
+            });
+            found.into_iter().for_each(|push| self.keep(crease - usize::from(end), push));
         }
     }
     fn press_pair(&mut self, pair: Pairing, pose: &Pose<'_, R>) {
@@ -103,16 +107,30 @@ impl<R: Real, S: Surface<R>, const N: usize, const O: usize, const K: usize> Nea
     }
     /// How far a trial may go for a vertex' sake.
     fn limit(&self, [from, to]: [V3<R>; 2], set_out: V3<R>, range: R) -> R {
+        // A ground is looked at wherever a vertex goes; of others only what was near is known.
         let gone = (to - set_out).norm_sq();
-        if gone > range * range {
+        if (self.itself || !self.others.is_empty()) && gone > range * range {
             return (R::of(SHARE) * range / gone.root()).smaller(R::of(0.5));
         }
-        let (before, after) = (self.surface.above(from).0, self.surface.above(to).0);
+        if !S::HARD {
+            return R::one();
+        }
+        let mut befores = Vec::<R, SOLIDS>::new();
+        self.surface.each(from, |d, _| {
+            let _ = befores.push(d);
+        });
         // What is pressed that hard is held by the barrier's parabola alone, yet sinks but slowly.
         let reach = R::of(self.cushion.reach_m);
-        let pressed = before <= reach * R::of(SOLID);
-        let least = if pressed { before.smaller(R::ZERO) - reach * R::of(SINKS) } else { R::ZERO };
-        if after > least { R::of(1.0) } else { R::of(SHARE) * (before - least) / (before - after) }
+        let (hard, sinks) = (reach * R::of(SOLID), reach * R::of(SINKS));
+        let (mut share, mut befores) = (R::of(1.0), befores.into_iter());
+        self.surface.each(to, |after, _| {
+            let Some(before) = befores.next() else { return };
+            let least = if before <= hard { before.smaller(R::ZERO) - sinks } else { R::ZERO };
+            if after <= least {
+                share = share.smaller(R::of(SHARE) * (before - least) / (before - after));
+            }
+        });
+        share
     }
 }
 
@@ -122,7 +140,7 @@ impl<R: Real, S: Surface<R>, const N: usize, const O: usize, const K: usize> Tou
     fn energy(&mut self, pose: &Pose<'_, R>) -> R {
         let mut sum = R::ZERO;
         for p in self.creases().flat_map(|k| pose.pair(k)) {
-            sum += barrier(&self.cushion, self.surface.above(p).0, SOLID)[0];
+            self.surface.each(p, |d, _| sum += barrier(&self.cushion, d, SOLID)[0]);
         }
         for &pair in &self.pairs {
             self.each(pair, pose, |_, d| sum += barrier(&self.cushion, d, FLOOR)[0]);
@@ -151,6 +169,9 @@ impl<R: Real, S: Surface<R>, const N: usize, const O: usize, const K: usize> Tou
         }
     }
     fn free(&mut self, pose: &Pose<'_, R>, range: R) -> R {
+        if !S::HARD && !self.full && !self.itself && self.others.is_empty() {
+            return R::one();
+        }
         let range = self.range * range;
         let mut share = if self.full { R::ZERO } else { R::of(1.0) };
         let least = R::of(FLOOR * self.cushion.reach_m);

@@ -4,8 +4,18 @@ use crate::real::{Real, V3};
 
 /// A solid. A vertex that is inside is pushed out; one that is outside never gets in by a step.
 pub trait Surface<R> {
+    /// No step lets a vertex in. Where grounds move and close on one another that cannot be had: then they only push, from
+    /// however deep.
+    const HARD: bool = true;
+
     /// The distance of a point above it, negative inside, and the unit normal there; infinite where there is none.
     fn above(&self, p: V3<R>) -> (R, V3<R>);
+
+    /// The same of everything it is made of, one after the other: what lies between two of them is pushed by both.
+    fn each(&self, p: V3<R>, mut take: impl FnMut(R, V3<R>)) {
+        let (d, normal) = self.above(p);
+        take(d, normal);
+    }
 }
 
 /// No ground.
@@ -30,25 +40,40 @@ impl<R: Real> Surface<R> for HalfSpace<R> {
     }
 }
 
-/// Several: the one that is nearest, or that a point is deepest in.
+/// Several: the one that is nearest, or that a point is deepest in; every one of them pushes.
 impl<R: Real, S: Surface<R>> Surface<R> for [S] {
+    const HARD: bool = S::HARD;
+
     fn above(&self, p: V3<R>) -> (R, V3<R>) {
         self.iter().fold(().above(p), |best, s| {
             let found = s.above(p);
             if found.0 < best.0 { found } else { best }
         })
     }
+    fn each(&self, p: V3<R>, mut take: impl FnMut(R, V3<R>)) {
+        self.iter().for_each(|s| s.each(p, &mut take));
+    }
 }
 
 impl<R: Real, S: Surface<R>, const M: usize> Surface<R> for [S; M] {
+    const HARD: bool = S::HARD;
+
     fn above(&self, p: V3<R>) -> (R, V3<R>) {
         self.as_slice().above(p)
+    }
+    fn each(&self, p: V3<R>, take: impl FnMut(R, V3<R>)) {
+        self.as_slice().each(p, take);
     }
 }
 
 impl<R, S: Surface<R> + ?Sized> Surface<R> for &S {
+    const HARD: bool = S::HARD;
+
     fn above(&self, p: V3<R>) -> (R, V3<R>) {
         (*self).above(p)
+    }
+    fn each(&self, p: V3<R>, take: impl FnMut(R, V3<R>)) {
+        (*self).each(p, take);
     }
 }
 

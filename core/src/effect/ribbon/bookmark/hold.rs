@@ -1,0 +1,136 @@
+//! What holds a bookmark where it lies: the leaves it is pressed between, and a page that lets it slide but slowly.
+
+use super::ground::{Ground, Layer};
+use crate::effect::ribbon::Loads;
+use crate::effect::ribbon::load::Pull;
+use crate::effect::ribbon::resample::Pair;
+use crate::grid::Grid;
+use crate::real::{Real, V3};
+
+/// How hard a page holds a ribbon that lies on it, in inertias of a vertex.
+const GRIP: f64 = 3.0;
+/// How hard leaves hold one between them along themselves, and across, in the same.
+const PRESSED: [f64; 2] = [100.0, 300.0];
+
+/// `½ (x - a)ᵀ (g (I - n nᵀ) + p n nᵀ) (x - a)` at one vertex.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Grip<R> {
+    anchor: V3<R>,
+    /// The first is `n`.
+    axes: [V3<R>; 3],
+    /// Across, along, along; newton per metre.
+    weights: [R; 3],
+}
+
+/// One for each vertex of a ribbon of `N` segments.
+#[derive(Debug, Clone)]
+pub(super) struct Hold<R, const N: usize> {
+    grips: [[Option<Grip<R>>; 2]; N],
+    end: [Option<Grip<R>>; 2],
+}
+
+impl<R: Real, const N: usize> Hold<R, N> {
+    pub(super) const NONE: Self = Self { grips: [[None; 2]; N], end: [None; 2] };
+
+    /// Finds what holds the vertices as they are. `inertia` is a vertex' mass by the time step squared; `reach` how near
+    /// the ground it lies.
+    pub(super) fn find<G: Grid>(
+        &mut self,
+        ground: &Ground<R, G>,
+        pairs: impl Iterator<Item = Pair<R>>,
+        inertia: R,
+        reach: R,
+    ) -> u32 {
+        let places = self.grips.iter_mut().chain(core::iter::once(&mut self.end));
+        let mut pressed = 0;
+        self_fill(places, pairs, |x| {
+            let (grip, inside) = grip(ground, x, inertia, reach);
+            pressed += u32::from(inside);
+            grip
+        });
+        pressed
+    }
+
+    /// Both vertices of a crease are between leaves.
+    pub(super) fn pressed(&self, crease: usize) -> bool {
+        self.at(crease).iter().all(|g| g.is_some_and(|g| g.weights[0] > R::ZERO))
+    }
+
+    fn at(&self, crease: usize) -> &[Option<Grip<R>>; 2] {
+        self.grips.get(crease).unwrap_or(&self.end)
+    }
+}
+
+fn self_fill<'a, R: Real>(
+    places: impl Iterator<Item = &'a mut [Option<Grip<R>>; 2]>,
+    pairs: impl Iterator<Item = Pair<R>>,
+    mut of: impl FnMut(V3<R>) -> Option<Grip<R>>,
+) {
+    let mut pairs = pairs.fuse();
+    for place in places {
+        *place = pairs.next().map_or([None; 2], |pair| pair.map(&mut of));
+    }
+}
+
+/// What holds a vertex, and whether it is between leaves.
+fn grip<R: Real, G: Grid>(
+    ground: &Ground<R, G>,
+    x: V3<R>,
+    inertia: R,
+    reach: R,
+) -> (Option<Grip<R>>, bool) {
+    if let Some((d, n)) = between(ground, x) {
+        let anchor = x - n * (d - reach * R::of(0.5));
+        return (Some(held(anchor, n, PRESSED.map(|w| inertia * R::of(w)))), true);
+    }
+    let (d, n) = ground.still(x);
+    let lies = d < reach * R::of(1.5);
+    (lies.then(|| held(x, n, [inertia * R::of(GRIP), R::ZERO])), false)
+}
+
+/// Distance to the layer of leaves a vertex is pressed between.
+fn between<R: Real, G: Grid>(ground: &Ground<R, G>, x: V3<R>) -> Option<(R, V3<R>)> {
+    match ground.layer {
+        Layer::Open(_) => None,
+        Layer::Held => ground.leaf.above(x),
+        Layer::Block(side) => {
+            let block = ground.blocks.get(side).filter(|b| b.spans(x))?;
+            let foot = block.foot(x)?;
+            Some((foot.distance, block.turned(foot.normal)))
+        }
+    }
+}
+
+fn held<R: Real>(anchor: V3<R>, n: V3<R>, [along, across]: [R; 2]) -> Grip<R> {
+    let aside = if n.0[2].magnitude() < R::of(0.7) { [0.0, 0.0, 1.0] } else { [1.0, 0.0, 0.0] };
+    let u = n.cross(V3(aside.map(R::of)));
+    let u = u * (R::one() / u.norm().larger(R::of(1e-6)));
+    Grip { anchor, axes: [n, u, n.cross(u)], weights: [across, along, along] }
+}
+
+impl<R: Real, const N: usize> Loads<R> for Hold<R, N> {
+    fn energy(&self, crease: usize, pair: &Pair<R>) -> R {
+        let mut sum = R::ZERO;
+        for (grip, x) in self.at(crease).iter().zip(pair) {
+            let Some(g) = grip else { continue };
+            let off = *x - g.anchor;
+            for (axis, &w) in g.axes.iter().zip(&g.weights) {
+                let along = off.dot(*axis);
+                sum += w * along * along * R::of(0.5);
+            }
+        }
+        sum
+    }
+    fn pull(&self, crease: usize, pair: &Pair<R>, pull: &mut Pull<R>) {
+        for (rim, (grip, x)) in self.at(crease).iter().zip(pair).enumerate() {
+            let Some(g) = grip else { continue };
+            let off = *x - g.anchor;
+            let of = |v: V3<R>| if rim == 0 { [v, V3::zero()] } else { [V3::zero(), v] };
+            for (axis, &w) in g.axes.iter().zip(&g.weights) {
+                let [a, b] = of(*axis * (w * off.dot(*axis)));
+                pull.push(a, b);
+                pull.curve(w, of(*axis));
+            }
+        }
+    }
+}
