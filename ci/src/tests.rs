@@ -32,6 +32,17 @@ const PROMISED: &str = "dogleaf-tests";
 /// What all other tests run in: a release's speed without minutes of linking.
 const SWIFT: [&str; 2] = ["--profile", "swift"];
 
+/// What is tested in debug too: the numbers, and what every shell shares. The other shells' tests run once, optimised,
+/// with their overflows checked all the same (`profile.swift`).
+const DEBUGGED: [&str; 6] = [
+    "dogleaf-core",
+    PROMISED,
+    "dogleaf-eink",
+    "dogleaf-eink-reader",
+    "dogleaf-eink-soft",
+    "dogleaf-ci",
+];
+
 /// Everything, unless the caller names packages: then only those.
 fn calls(release: bool, rest: &[String]) -> Vec<Command> {
     let named = |a: &&String| {
@@ -44,7 +55,7 @@ fn calls(release: bool, rest: &[String]) -> Vec<Command> {
         c
     };
     match (release, named) {
-        (false, false) => vec![call(&["--workspace"])],
+        (false, false) => vec![call(&DEBUGGED.map(|name| ["-p", name]).concat())],
         (false, true) => vec![call(&[])],
         (true, true) => vec![call(&["--release"])],
         (true, false) => vec![
@@ -119,13 +130,15 @@ mod check {
 
     #[test]
     fn the_workspace_unless_packages_are_named() {
-        assert_eq!(shown(false, &[]), "test --no-fail-fast --workspace");
+        let debugged = super::DEBUGGED.map(|name| format!("-p {name}")).join(" ");
+        assert_eq!(shown(false, &[]), format!("test --no-fail-fast {debugged}"));
         let both = "test --no-fail-fast --profile swift --workspace --exclude dogleaf-cost kkt, \
                     test --no-fail-fast --release -p dogleaf-cost kkt";
         assert_eq!(shown(true, &["kkt"]), both);
         let one = "test --no-fail-fast --release -p dogleaf-core";
         assert_eq!(shown(true, &["-p", "dogleaf-core"]), one);
         assert_eq!(shown(false, &["-p", "dogleaf-core"]), "test --no-fail-fast -p dogleaf-core");
-        assert_eq!(shown(false, &["--", "-p"]), "test --no-fail-fast --workspace -- -p");
+        let all = format!("test --no-fail-fast {debugged} -- -p");
+        assert_eq!(shown(false, &["--", "-p"]), all, "what follows goes to the tests");
     }
 }
