@@ -20,6 +20,8 @@ struct Grip<R> {
     axes: [V3<R>; 3],
     /// Across, along, along; newton per metre.
     weights: [R; 3],
+    /// There is paper on both its sides.
+    covered: bool,
 }
 
 /// One for each vertex of a ribbon of `N` segments.
@@ -43,7 +45,7 @@ impl<R: Real, const N: usize> Hold<R, N> {
     ) -> u32 {
         let places = self.grips.iter_mut().chain(core::iter::once(&mut self.end));
         let mut pressed = 0;
-        self_fill(places, pairs, |x| {
+        fill(places, pairs, |x| {
             let (grip, inside) = grip(ground, x, inertia, reach);
             pressed += u32::from(inside);
             grip
@@ -51,9 +53,9 @@ impl<R: Real, const N: usize> Hold<R, N> {
         pressed
     }
 
-    /// Both vertices of a crease are between leaves.
+    /// Both vertices of a crease have paper on both their sides.
     pub(super) fn pressed(&self, crease: usize) -> bool {
-        self.at(crease).iter().all(|g| g.is_some_and(|g| g.weights[0] > R::ZERO))
+        self.at(crease).iter().all(|g| g.is_some_and(|g| g.covered))
     }
 
     fn at(&self, crease: usize) -> &[Option<Grip<R>>; 2] {
@@ -61,7 +63,7 @@ impl<R: Real, const N: usize> Hold<R, N> {
     }
 }
 
-fn self_fill<'a, R: Real>(
+fn fill<'a, R: Real>(
     places: impl Iterator<Item = &'a mut [Option<Grip<R>>; 2]>,
     pairs: impl Iterator<Item = Pair<R>>,
     mut of: impl FnMut(V3<R>) -> Option<Grip<R>>,
@@ -79,13 +81,17 @@ fn grip<R: Real, G: Grid>(
     inertia: R,
     reach: R,
 ) -> (Option<Grip<R>>, bool) {
+    let pressed = PRESSED.map(|w| inertia * R::of(w));
     if let Some((d, n)) = between(ground, x) {
-        let anchor = x - n * (d - reach * R::of(0.5));
-        return (Some(held(anchor, n, PRESSED.map(|w| inertia * R::of(w)))), true);
+        return (Some(held(x - n * (d - reach * R::of(0.5)), n, pressed, true)), true);
     }
+    let near = reach * R::of(1.5);
     let (d, n) = ground.still(x);
-    let lies = d < reach * R::of(1.5);
-    (lies.then(|| held(x, n, [inertia * R::of(GRIP), R::ZERO])), false)
+    // A leaf that has come down on it: what it lies on is on the other side.
+    let leaf = ground.leaf.above(x).filter(|&(off, m)| off < near && m.dot(n) < R::ZERO);
+    let covered = d < near && leaf.is_some();
+    let along = if covered { pressed[0] } else { inertia * R::of(GRIP) };
+    ((d < near).then(|| held(x, n, [along, R::ZERO], covered)), covered)
 }
 
 /// Distance to the layer of leaves a vertex is pressed between.
@@ -101,11 +107,11 @@ fn between<R: Real, G: Grid>(ground: &Ground<R, G>, x: V3<R>) -> Option<(R, V3<R
     }
 }
 
-fn held<R: Real>(anchor: V3<R>, n: V3<R>, [along, across]: [R; 2]) -> Grip<R> {
+fn held<R: Real>(anchor: V3<R>, n: V3<R>, [along, across]: [R; 2], covered: bool) -> Grip<R> {
     let aside = if n.0[2].magnitude() < R::of(0.7) { [0.0, 0.0, 1.0] } else { [1.0, 0.0, 0.0] };
     let u = n.cross(V3(aside.map(R::of)));
     let u = u * (R::one() / u.norm().larger(R::of(1e-6)));
-    Grip { anchor, axes: [n, u, n.cross(u)], weights: [across, along, along] }
+    Grip { anchor, axes: [n, u, n.cross(u)], weights: [across, along, along], covered }
 }
 
 impl<R: Real, const N: usize> Loads<R> for Hold<R, N> {
