@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{arg, fixture, folder, told};
+use common::{arg, fixture, folder, refused, told};
 use serde_json::Value;
 
 /// A turn in a small picture, which is drawn fast.
@@ -73,4 +73,30 @@ fn what_is_put_back_commits_nothing() {
     let book = fixture("books/old-verses.pdf");
     let found = turn(&book, &out, &["--gesture", &peek, "--fidelity", "fine"]);
     assert!(found["committed_page"].is_null(), "{found}");
+}
+
+#[test]
+fn a_bookmark_is_sewn_in_only_where_it_is_asked_for() {
+    let (book, gesture) = (fixture("books/old-verses.pdf"), flick());
+    let out = arg(&folder("turn_ribbon"), "out.png");
+    let found = turn(&book, &out, &["--gesture", &gesture, "--ribbon"]);
+    let ribbon = found["ribbon"].as_object().expect("what it cost");
+    assert!(ribbon["steps"].as_u64() > Some(10), "{found}");
+    assert!(ribbon["newton_steps"].as_f64() > Some(0.5), "{found}");
+    assert_eq!(ribbon["lies"], "between leaves on the left", "the leaf came to lie on it");
+    assert!(found["simulated"].as_array().is_some_and(|s| s.contains(&"ribbon".into())), "{found}");
+    let without = turn(&book, &out, &["--gesture", &gesture]);
+    assert!(without.get("ribbon").is_none(), "{without}");
+    for same in ["steps", "stretch", "committed_page"] {
+        assert_eq!(found[same], without[same], "the book does not notice it");
+    }
+}
+
+#[test]
+fn a_bookmark_beyond_the_book_is_refused() {
+    let out = arg(&folder("turn_ribbon_beyond"), "out.png");
+    let book = fixture("books/old-verses.pdf");
+    let (line, code) = refused(&["turn", &book, "-o", &out, "--ribbon=9999"]);
+    assert_eq!(code, 2, "bad input");
+    assert!(line.contains("--ribbon=9999: the last page is"), "{line}");
 }
