@@ -296,6 +296,16 @@ impl<R: Real, const N: usize> Ribbon<R, N> {
         self.body.used_mut().iter_mut().for_each(|s| s.velocity = both(&s.pair));
         self.body.end.velocity = both(&self.body.end.pair);
     }
+    /// Adds to the velocity of every vertex, numbered along the ribbon and rim by rim, what a shift of it a step makes.
+    pub(super) fn nudge(&mut self, rate: R, shift: impl Fn(usize) -> V3<R>) {
+        let used = self.body.strip.n;
+        for (j, s) in self.body.used_mut().iter_mut().enumerate() {
+            let [a, b] = s.velocity;
+            s.velocity = [a + shift(2 * j) * rate, b + shift(2 * j + 1) * rate];
+        }
+        let [a, b] = self.body.end.velocity;
+        self.body.end.velocity = [a + shift(2 * used) * rate, b + shift(2 * used + 1) * rate];
+    }
     /// Moves a clamped start.
     pub fn carry(&mut self, base: &Frame<R>) {
         self.body.kept_base = *base;

@@ -14,8 +14,9 @@
 //! | `near` | what is near a ribbon |
 //! | `press` | energy, forces and limits of what is near |
 //! | `crowd` | many ribbons, one after the other |
+//! | `post` | the seed's way: vertices corrected after the step |
 //!
-//! Source: Ribbon Sec. 5.2 corrects positions after the step instead; barrier and limits after Li et al., "Incremental
+//! Source: Ribbon Sec. 5.2 corrects positions after the step instead, as `post` does; barrier and limits after Li et al., "Incremental
 //! Potential Contact" (2020) and "Codimensional Incremental Potential Contact" (2021).
 
 pub mod touch;
@@ -26,9 +27,11 @@ pub mod surface;
 pub mod near;
 pub mod press;
 pub mod crowd;
+pub mod post;
 
 pub use crowd::{Summary, step_all};
 pub use near::{Counts, Near};
+pub use post::{Post, PostReport};
 pub use push::Cushion;
 pub use surface::{Field, HalfSpace, Surface};
 pub use touch::Touch;

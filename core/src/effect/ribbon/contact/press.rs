@@ -9,6 +9,7 @@ use super::near::{LAST, Near, Pairing};
 use super::push::{FLOOR, SOLID, barrier};
 use super::surface::Surface;
 use super::touch::{Pose, Push, Touch};
+use crate::effect::ribbon::inertia::Four;
 use crate::real::{Real, V3};
 use heapless::Vec;
 
@@ -50,6 +51,16 @@ impl<R: Real, S: Surface<R>, const N: usize, const O: usize, const K: usize> Nea
                 take(m, sq.root());
             }
         });
+    }
+    /// Hands over what is nearer than the reach at a pose: shares here and there, the way apart, the distance.
+    pub(super) fn overlaps(
+        &self,
+        pose: &Pose<'_, R>,
+        mut take: impl FnMut(Pairing, Four<R>, Four<R>, V3<R>, R),
+    ) {
+        for &pair in &self.pairs {
+            self.each(pair, pose, |m, d| take(pair, m.here, m.there, m.way * (R::one() / d), d));
+        }
     }
     /// Creases that the ground may push: a loop's last is its first.
     fn creases(&self) -> core::ops::Range<usize> {
