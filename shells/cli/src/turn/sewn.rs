@@ -101,14 +101,14 @@ impl Sewn {
             let all: Vec<_> =
                 bookmark.pairs().map(|pair| pair.map(|p| p.0.map(Real::wide))).collect();
             // Between leaves nobody sees it: what comes out at the head, and at the tail.
-            let hidden: Vec<bool> = (0..all.len()).map(|j| bookmark.hidden(j)).collect();
-            let ends: Vec<usize> = (0..all.len()).filter(|&j| hidden[j]).collect();
-            let parts = match (ends.first(), ends.last()) {
-                (Some(&first), Some(&last)) => vec![0..first + 1, last..all.len()],
-                _ => vec![0..all.len()],
-            };
-            let seen = parts.into_iter().filter(|part| part.len() > 1);
-            shot.bands.extend(seen.map(|part| band_shot(&all[part], Fabric::Satin)));
+            let mut inside = (0..all.len()).filter(|&j| bookmark.hidden(j));
+            let first = inside.next().unwrap_or(all.len() - 1);
+            let last = inside.next_back().unwrap_or(first);
+            for seen in [0..first + 1, last..all.len()] {
+                if seen.len() > 1 {
+                    shot.bands.push(band_shot(&all[seen], Fabric::Satin));
+                }
+            }
         }
         shot
     }

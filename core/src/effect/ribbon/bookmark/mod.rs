@@ -200,7 +200,7 @@ impl<R: Real, G: Grid> Bookmark<R, G> {
     fn lead_root(&mut self, book: &Book<R, G>, h: f64) -> bool {
         let target = self.target(book);
         let way = target.p - self.root.p;
-        let share = R::of((FOLLOWS * h).min(1.0));
+        let share = R::of(FOLLOWS * h).smaller(R::one());
         self.root.p = self.root.p + way * share;
         self.ribbon.carry(&self.root);
         way.norm_sq() < R::of(1e-8)
