@@ -61,6 +61,8 @@ fn page(place: u32, book: &BookSpec) -> u32 {
 #[derive(Debug, Default)]
 pub(super) struct Sewn {
     bookmark: Option<Box<Bookmark<f32, G11x8>>>,
+    /// From the middle of the leaves to head and tail, metres.
+    half_m: f64,
     micros: Vec<f64>,
     newton_steps: u64,
 }
@@ -82,7 +84,7 @@ impl Sewn {
                 }
                 let _ = bookmark.follow(book, STEP_US);
             }
-            self.bookmark = Some(bookmark);
+            (self.bookmark, self.half_m) = (Some(bookmark), 0.5 * book.spec().height_m);
             return Ok(());
         }
         let Some(bookmark) = &mut self.bookmark else { return Ok(()) };
@@ -105,12 +107,37 @@ impl Sewn {
             let first = inside.next().unwrap_or(all.len() - 1);
             let last = inside.next_back().unwrap_or(first);
             for seen in [0..first + 1, last..all.len()] {
-                if seen.len() > 1 {
-                    shot.bands.push(band_shot(&all[seen], Fabric::Satin));
+                let mut rims = all[seen.clone()].to_vec();
+                if seen.len() < all.len() {
+                    self.cut(&mut rims, seen.start == 0);
+                }
+                if rims.len() > 1 {
+                    shot.bands.push(band_shot(&rims, Fabric::Satin));
                 }
             }
         }
         shot
+    }
+
+    /// Cuts what goes in between the leaves where they end, rim by rim.
+    fn cut(&self, rims: &mut [[[f64; 3]; 2]], head: bool) {
+        if head {
+            rims.reverse();
+        }
+        let beyond = |p: &[f64; 3]| p[2].abs() - self.half_m;
+        for rim in 0..2 {
+            let Some(first) = rims.iter().position(|pair| beyond(&pair[rim]) > 0.0) else {
+                continue;
+            };
+            let Some(inner) = first.checked_sub(1).map(|j| rims[j][rim]) else { continue };
+            let outer = rims[first][rim];
+            let share = beyond(&outer) / (beyond(&outer) - beyond(&inner));
+            let edge = std::array::from_fn(|i| outer[i] + (inner[i] - outer[i]) * share);
+            rims[..first].iter_mut().for_each(|pair| pair[rim] = edge);
+        }
+        if head {
+            rims.reverse();
+        }
     }
 
     /// What it came to.
