@@ -1,6 +1,6 @@
 //! The ribbon bookmark: hangs from the head of the spine, lies in the gutter or between leaves, drapes over the tail.
 //!
-//! It is moved by the book and does not move it: a ribbon of half a gram beside leaves of three. A step looks at the book
+//! It is moved by the book and does not move it: a sixth of a gram beside leaves of two. A step looks at the book
 //! as it is, then takes one step of the ribbon against it; asleep with the book it costs a comparison.
 //!
 //! | file | question |
