@@ -20,6 +20,9 @@ use super::strip::Strip;
 use crate::real::{Real, V3};
 use nalgebra::{SMatrix, SVector};
 
+/// What a shift weighs on a slope, against an angle: slopes move by more.
+pub const SLOPES: f64 = 0.1;
+
 /// What a segment is followed by.
 #[derive(Clone, Copy)]
 struct Next<'a, R> {
@@ -247,7 +250,7 @@ impl<R: Real> Carried<R> {
         for (x, &m) in x[1].iter_mut().zip(&m.xc[1]) {
             *x += m;
         }
-        let cc = h[3][3] + m.cc[2] + moment.dot(bend) + wall.curve + self.shift;
+        let cc = h[3][3] + m.cc[2] + moment.dot(bend) + wall.curve + self.shift * R::of(SLOPES);
         let tie = Tie {
             x,
             u: [[h[2][0], h[2][1]], [h[3][0], h[3][1] + m.cc[1] - wall.curve]],
