@@ -5,6 +5,7 @@ use dogleaf_core::effect::ribbon::body::Body;
 use dogleaf_core::effect::ribbon::closure::Hold;
 use dogleaf_core::effect::ribbon::frame::Frame;
 use dogleaf_core::effect::ribbon::joint::Crease;
+use dogleaf_core::effect::ribbon::sweep::SLOPES;
 use dogleaf_core::effect::ribbon::{
     Ask, Bending, Closure, Guide, Loads, Mass, Pull, Ribbon, RibbonSpec, Root, Spring,
 };
@@ -179,7 +180,7 @@ fn the_newton_step_solves_the_exact_hessian() {
             body.place(0.0);
             body.evaluate(&ask, &Ground);
             // A shift that makes the model convex is taken off again below.
-            let shifts = [0.0, 1.0, 10.0, 100.0];
+            let shifts = [0.0, 1.0, 10.0, 100.0, 1000.0];
             let found = shifts.iter().find_map(|&s| Some((s, body.factor(&ask, &Ground, s)?)));
             let (shift, fall) = found.expect("some shift is enough");
             body.solve(false);
@@ -221,7 +222,8 @@ fn the_newton_step_solves_the_exact_hessian() {
 /// What a shift adds to the diagonal.
 fn weights(body: &Body<f64, N>, shift: f64) -> Vec<f64> {
     let (unit, length) = (2.0 * body.strip.stiff * shift, body.strip.length());
-    let mut weight = vec![unit; 2 * N + 3];
+    let mut weight: Vec<f64> = (0..N).flat_map(|_| [unit, unit * SLOPES]).collect();
+    weight.extend([unit; 3]);
     weight.extend([unit / (length * length); 3]);
     weight
 }

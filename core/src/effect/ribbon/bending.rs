@@ -75,3 +75,20 @@ pub fn derivatives<R: Real>(strip: &Strip<R>, j: usize, a: Crease<R>, b: Crease<
         h: [[f0 * pp0, pc, o, cp], [pc, cc, qc, cd], [o, qc, f0 * pp1, qd], [cp, cd, qd, dd]],
     }
 }
+
+/// The Hessian with what could make it indefinite cut back: `ψc` to what its neighbours bear where `c² > 1/3`, and
+/// Wunderlich's factor as if it stood still but for its own curvature.
+pub fn rough<R: Real>(strip: &Strip<R>, j: usize, a: Crease<R>, b: Crease<R>) -> [[R; 4]; 4] {
+    let ([f, _, curve], o, two) = (factor(strip, b.c - a.c), R::ZERO, R::of(2.0));
+    let part = |x: Crease<R>, weight: R| {
+        let (m, k) = (strip.stiff * f * weight, R::one() + x.c * x.c);
+        let most = k.root();
+        let lean = (two * x.c).larger(-most).smaller(most);
+        [m * k, m * x.psi * lean, m * x.psi * x.psi, k * x.psi * x.psi * weight]
+    };
+    let ([pp, pc, cc, s], [qq, qd, dd, t]) =
+        (part(a, strip.weight(j)), part(b, strip.weight(j + 1)));
+    let apart = curve * (s + t) * strip.stiff * R::of(0.5);
+    let own = cc + two * strip.slope + apart;
+    [[pp, pc, o, o], [pc, own, o, -apart], [o, o, qq, qd], [o, -apart, qd, dd + apart]]
+}

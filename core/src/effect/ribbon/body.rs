@@ -27,6 +27,8 @@ pub struct Stage<R> {
     pub turn: Turn<R>,
     /// The segment's frame, at the crease's middle.
     pub frame: Frame<R>,
+    /// The frame as last accepted.
+    pub kept_frame: Frame<R>,
     /// The crease's ends.
     pub pair: Pair<R>,
     /// The crease's ends as last accepted.
@@ -49,6 +51,7 @@ impl<R: Real> Stage<R> {
         step: Crease { psi: R::ZERO, c: R::ZERO },
         turn: Turn::NONE,
         frame: Frame::WORLD,
+        kept_frame: Frame::WORLD,
         pair: [V3([R::ZERO; 3]); 2],
         kept_pair: [V3([R::ZERO; 3]); 2],
         want: [Sample::ZERO; 2],
@@ -104,6 +107,8 @@ pub struct Body<R, const N: usize> {
     pub motion: Motion<R>,
     /// Barrier parameter, joules.
     pub mu: R,
+    /// The model leaves out what a force gains by turning: Gauss and Newton's, which always has a minimum.
+    pub rough: bool,
     /// What holds the loop.
     pub hold: Hold<R>,
     /// Sine and cosine of the angle about the tangent at which a loop's end meets its start.
@@ -143,6 +148,7 @@ impl<R: Real, const N: usize> Body<R, N> {
         table: Table::EMPTY,
         motion: Motion { kappa: R::ZERO, pull: V3([R::ZERO; 3]) },
         mu: R::ZERO,
+        rough: false,
         hold: Hold::NONE,
         joint: [R::ZERO; 2],
         gap: Gap {
@@ -207,9 +213,11 @@ impl<R: Real, const N: usize> Body<R, N> {
         self.kept_base = self.base;
         self.mark();
     }
-    /// Takes the vertices as evaluated for those accepted.
+    /// Takes frames and vertices as evaluated for those accepted.
     pub fn mark(&mut self) {
-        self.used_mut().iter_mut().for_each(|s| s.kept_pair = s.pair);
+        for s in self.used_mut() {
+            (s.kept_frame, s.kept_pair) = (s.frame, s.pair);
+        }
         self.end.kept_pair = self.end.pair;
     }
     /// As contact sees it.
@@ -225,16 +233,9 @@ impl<R: Real, const N: usize> Body<R, N> {
         let (strip, base) = (self.strip, self.base);
         let mut frame = base;
         for (j, s) in self.used_mut().iter_mut().enumerate() {
-            s.turn = Turn::of(s.crease);
-            frame = s.turn.beyond(&frame, if j == 0 { R::ZERO } else { strip.cell });
-            s.frame = frame;
-            s.pair = ends(&frame, strip.half, s.crease.c);
+            frame = s.turned(&frame, if j == 0 { R::ZERO } else { strip.cell }, strip.half);
         }
-        frame.p = frame.p + frame.t * strip.cell;
-        self.end.pair = ends(&frame, strip.half, R::ZERO);
-        if self.looped() {
-            self.gap = Gap::between(&frame, &base, self.joint);
-        }
+        self.finish(&frame);
     }
     /// Reads what the vertices aim at.
     fn aim(&mut self) {
@@ -263,6 +264,10 @@ impl<R: Real, const N: usize> Body<R, N> {
     /// Some 150 operations, a sine and a cosine a segment.
     pub fn evaluate(&mut self, ask: &Ask<R>, loads: &impl Loads<R>) -> Energy<R> {
         self.reconstruct();
+        self.weigh(ask, loads)
+    }
+    /// As [`Body::evaluate`], with frames and vertices as they are.
+    pub fn weigh(&mut self, ask: &Ask<R>, loads: &impl Loads<R>) -> Energy<R> {
         self.aim();
         let (mut energy, mut logs) = (Energy::default(), Logs::none());
         let (mut inside, brim) = (true, R::of(64.0 * R::EPSILON));
@@ -290,9 +295,4 @@ impl<R: Real, const N: usize> Body<R, N> {
         }
         energy
     }
-}
-
-fn ends<R: Real>(f: &Frame<R>, half: R, c: R) -> Pair<R> {
-    let lean = (f.t * c + f.b) * half;
-    [f.p - lean, f.p + lean]
 }

@@ -124,7 +124,8 @@ impl<R: Real> CellMass<R> {
     }
 }
 
-/// The model of a cell's inertia (or weight), of other forces on its vertices, and of a pull `lean` at its normal.
+/// The model of a cell's inertia (or weight), of other forces on its vertices, and of a pull `lean` at its normal. Where
+/// `rough`, forces do not turn and normals are pulled as if they were where they are pulled to.
 #[inline(always)]
 pub fn model<R: Real>(
     strip: &Strip<R>,
@@ -132,6 +133,7 @@ pub fn model<R: Real>(
     cell: &Cell<'_, R>,
     others: &[Pair<R>; 2],
     lean: V3<R>,
+    rough: bool,
 ) -> Model<R> {
     let (mass, spread, kappa) = (&strip.mass, cell.spread, motion.kappa);
     let d = cell.gaps();
@@ -150,6 +152,9 @@ pub fn model<R: Real>(
     let all = [g[0] + a0, g[1] + b0, g[2] + a1, g[3] + b1];
     let slide = slides(strip, cell);
     let mx = mass.times(spread, &cell.x).map(|v| v * kappa);
+    let (none, torque) = ([V3([R::ZERO; 3]); 4], cell.frame.n.cross(lean));
+    let first = (g, all, grown, lean);
+    let second = if rough { (none, none, none, cell.frame.n * -lean.norm()) } else { first };
     let mut model = Model {
         x: wrench(&cell.x, &all),
         c: [
@@ -160,15 +165,14 @@ pub fn model<R: Real>(
                 + swell
                 + cell.frame.t.dot(b1 - a1) * strip.half,
         ],
-        xx: turning(cell, &mx, &all, lean, kappa * strip.cell_mass()),
+        xx: turning(cell, &mx, &second.1, second.3, kappa * strip.cell_mass()),
         xc: [[R::ZERO; 6]; 2],
         cc: [R::ZERO; 3],
     };
-    let torque = cell.frame.n.cross(lean);
     for (x, t) in model.x.iter_mut().zip(torque.0) {
         *x += t;
     }
-    sliding(strip, cell, &mut model, [&g, &all], &grown, &slide, kappa);
+    sliding(strip, cell, &mut model, [&second.0, &second.1], &second.2, &slide, kappa);
     model
 }
 

@@ -13,6 +13,7 @@
 //! | `inertia`, `bending`, `load`, `barrier`, `closure` | one energy each: value and derivatives |
 //! | `body` | the ribbon while it is solved for |
 //! | `riccati`, `sweep`, `mend` | the linear solve; that of a loop's joint alone |
+//! | `roll` | a trial: a share of the step, answering to where it leads |
 //! | `contact` | what pushes back, and what no step may pass through |
 //! | `adjoint` | the gradient alone, for oracles |
 //! | `newton`, `report` | the method, its limits and its answer |
@@ -39,6 +40,7 @@ pub mod sweep;
 pub mod adjoint;
 pub mod contact;
 pub mod mend;
+pub mod roll;
 pub mod report;
 pub mod newton;
 pub mod life;

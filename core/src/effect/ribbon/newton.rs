@@ -1,10 +1,11 @@
 //! Newton's method on a ribbon: shift, step, line search, barrier, multipliers.
 //!
-//! Each iteration is one backward and one forward sweep and a trial or two. Where the model has no minimum, or no
-//! share of its step lowers the merit, a shift of both creases' unknowns grows; what the first iteration of a solve
-//! needed is where the next solve begins. Rulings at their bounds are held there on the way, and only where that does
-//! not help is the whole step shortened for them. A loop's multipliers move whenever its Lagrangian is nearly minimised;
-//! a loop that is still open when the iterations are used up is closed by `mend`.
+//! Each iteration is one backward sweep and a trial or two, each of which is a forward sweep that answers to where it
+//! leads. The first iterations of a step in time leave out what forces gain by turning: those forces are still inertia's
+//! against the whole way. Where the model has no minimum, or no share of its step lowers the merit, a shift of both
+//! creases' unknowns grows. Rulings at their bounds are held there on the way, and only where that does not help is the
+//! whole step shortened for them. A loop's multipliers move whenever its Lagrangian is nearly minimised; a loop that is
+//! still open when the iterations are used up is closed by `mend`.
 //!
 //! Source: ours; Levenberg's shift, Fiacco and McCormick's barrier, Powell's multipliers. Checked by
 //! `tests/ribbon_newton.rs`, `tests/ribbon_loops.rs`, `tests/ribbon_hard_cases.rs`.
@@ -22,6 +23,12 @@ const ARMIJO: f64 = 1e-4;
 const LEAST_SHIFT: f64 = 1e-8;
 /// A shift above this is hopeless.
 const MOST_SHIFT: f64 = 1e12;
+/// Iterations at the start of a step in time whose model is Gauss and Newton's.
+const ROUGH: u32 = 2;
+/// The shift that a solve begins with.
+const FIRST_SHIFT: f64 = 1.0;
+/// What a shift grows by.
+const GROWTH: f64 = 3.0;
 /// First barrier parameter, in units of the crease stiffness.
 const FIRST_BARRIER: f64 = 1e-5;
 /// First penalty of a turn at a loop's joint, in units of the whole strip's stiffness.
@@ -37,13 +44,11 @@ const RANGE: f64 = 0.75;
 /// Steps at most that close a loop at the end.
 const CLOSINGS: u32 = 12;
 
-/// What is carried from one solve to the next.
+/// The method; a solve does not depend on the one before it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Solver<R> {
     /// Shift, in units of twice the stiffness.
     pub shift: R,
-    /// What the first iteration of the last solve needed.
-    pub first: R,
 }
 
 /// One solve under way.
@@ -68,14 +73,18 @@ struct Run<'a, R: Real, L, T, const N: usize> {
 #[derive(Clone, Copy)]
 struct Direction<R> {
     fall: R,
+    /// The largest change of a crease, were the whole step taken.
     size: R,
+    /// The share to try first.
     longest: R,
+    /// Slopes may be held at their bounds; and some were.
+    hold: bool,
     held: bool,
 }
 
 impl<R: Real> Solver<R> {
-    /// Without memory.
-    pub const NEW: Self = Self { shift: R::ZERO, first: R::ZERO };
+    /// Before its first solve.
+    pub const NEW: Self = Self { shift: R::ZERO };
 
     /// Minimises; the body is left at the best point, evaluated and kept. `watch` sees the objective and the loop's gap
     /// before every iteration and at the end.
@@ -125,7 +134,7 @@ impl<R: Real> Solver<R> {
     }
 
     fn grow(&mut self) {
-        self.shift = (self.shift * R::of(8.0)).larger(R::of(1e-3));
+        self.shift = (self.shift * R::of(GROWTH)).larger(R::of(1e-3));
     }
 }
 
@@ -138,8 +147,7 @@ impl<'a, R: Real, L: Loads<R>, T: Touch<R>, const N: usize> Run<'a, R, L, T, N> 
         touch: &'a mut T,
         settings: &'a Settings,
     ) -> Self {
-        solver.shift = solver.first;
-        solver.shrink(0.25);
+        solver.shift = R::of(FIRST_SHIFT);
         let floor = body.strip.stiff * R::of(settings.barrier);
         body.part_rulings();
         start_barrier(body, floor);
@@ -171,18 +179,15 @@ impl<'a, R: Real, L: Loads<R>, T: Touch<R>, const N: usize> Run<'a, R, L, T, N> 
     /// One iteration; answers how the solve ended, if it did.
     fn iterate(&mut self) -> Option<Status> {
         let Some(mut to) = self.direction() else { return Some(Status::Stalled) };
+        self.report.iterations += 1;
+        let mut found = self.search(&mut to);
+        if to.held && found.is_none_or(|(_, share)| share < R::of(0.1)) {
+            (to.longest, to.hold, to.held) = (self.body.solve(false).0[1], false, false);
+            found = self.search(&mut to);
+        }
         (self.report.fall, self.report.size) = (to.fall, to.size);
         if !(to.size.finite() && to.fall.finite()) {
             return Some(Status::Held);
-        }
-        self.report.iterations += 1;
-        if self.report.iterations == 1 {
-            self.solver.first = self.solver.shift;
-        }
-        let mut found = self.search(&to);
-        if to.held && found.is_none_or(|(_, share)| share < R::of(0.1)) {
-            (to.longest, to.held) = (self.body.solve(false).0[1], false);
-            found = self.search(&to);
         }
         match found {
             Some((energy, share)) => self.take(&to, energy, share),
@@ -190,15 +195,16 @@ impl<'a, R: Real, L: Loads<R>, T: Touch<R>, const N: usize> Run<'a, R, L, T, N> 
         }
     }
 
-    /// Factors, with as much shift as that needs, and solves.
+    /// Factors, with as much shift as that needs.
     fn direction(&mut self) -> Option<Direction<R>> {
         self.touch.press(&self.body.pose());
+        self.body.rough = self.report.iterations < ROUGH && self.body.motion.kappa > R::ZERO;
         for _ in 0..self.settings.shifts {
             self.report.factorisations += 1;
             let shift = self.solver.shift;
             if let Some(fall) = self.body.factor_touching(self.ask, self.loads, self.touch, shift) {
-                let ([size, longest], held) = self.body.solve(true);
-                return Some(Direction { fall, size, longest, held: held > 0 });
+                let (size, longest) = (R::ZERO, R::one());
+                return Some(Direction { fall, size, longest, hold: true, held: false });
             }
             self.solver.grow();
         }
@@ -206,18 +212,22 @@ impl<'a, R: Real, L: Loads<R>, T: Touch<R>, const N: usize> Run<'a, R, L, T, N> 
     }
 
     /// Halves the share until the merit falls.
-    fn search(&mut self, to: &Direction<R>) -> Option<(Energy<R>, R)> {
+    fn search(&mut self, to: &mut Direction<R>) -> Option<(Energy<R>, R)> {
         let (length, widest) = (self.body.strip.length(), self.opened.larger(R::of(WIDEST)));
         let before = self.energy.total(self.body.mu);
         let slack = before.magnitude() * R::of(8.0 * R::EPSILON);
         let mut share = to.longest;
-        for _ in 0..self.settings.trials {
-            let free = self.free(share);
+        for trial in 0..self.settings.trials {
+            let rolled = self.body.roll(share, to.hold);
+            if trial == 0 {
+                (to.size, to.held) = (rolled.size / share, rolled.held > 0);
+            }
+            let free = self.touch.free(&self.body.pose(), R::of(RANGE));
             if free < R::one() {
                 share *= free.larger(R::of(LEAST_FREE));
                 continue;
             }
-            let trial = self.evaluate(share);
+            let trial = self.weigh();
             let closed = !self.body.looped() || self.body.gap.size(length) <= widest;
             let enough = before - to.fall * share * R::of(ARMIJO) + slack;
             if closed && trial.total(self.body.mu) <= enough {
@@ -228,22 +238,19 @@ impl<'a, R: Real, L: Loads<R>, T: Touch<R>, const N: usize> Run<'a, R, L, T, N> 
         None
     }
 
-    fn evaluate(&mut self, share: R) -> Energy<R> {
-        self.body.place(share);
+    /// The merit of what is placed.
+    fn weigh(&mut self) -> Energy<R> {
         self.report.trials += 1;
-        let mut energy = self.body.evaluate(self.ask, self.loads);
+        let mut energy = self.body.weigh(self.ask, self.loads);
         energy.objective += self.touch.energy(&self.body.pose());
         energy
     }
 
-    /// How much of the way to a share of the step contact leaves free.
-    fn free(&mut self, share: R) -> R {
-        if !T::ACTIVE {
-            return R::one();
-        }
-        self.body.place(share);
+    /// Back to what was accepted last.
+    fn back(&mut self) -> Energy<R> {
+        self.body.place(R::ZERO);
         self.body.reconstruct();
-        self.touch.free(&self.body.pose(), R::of(RANGE))
+        self.weigh()
     }
 
     /// Takes a trial.
@@ -259,7 +266,8 @@ impl<'a, R: Real, L: Loads<R>, T: Touch<R>, const N: usize> Run<'a, R, L, T, N> 
         }
         self.joined = self.body.gap.size(self.body.strip.length());
         let small = to.size <= R::of(self.settings.tolerance) && share >= R::one();
-        if small && self.closed() && self.body.mu <= self.floor {
+        let least = energy.objective.magnitude() * R::of(8.0 * R::EPSILON);
+        if (small || to.fall <= least) && self.closed() && self.body.mu <= self.floor {
             return Some(Status::Converged);
         }
         if share > R::of(0.5)
@@ -276,7 +284,7 @@ impl<'a, R: Real, L: Loads<R>, T: Touch<R>, const N: usize> Run<'a, R, L, T, N> 
     /// No share of the step lowers the merit: more shift, or a tighter problem, or the end.
     fn refuse(&mut self, to: &Direction<R>) -> Option<Status> {
         let rounding = self.energy.total(self.body.mu).magnitude() * R::of(8.0 * R::EPSILON);
-        self.energy = self.evaluate(R::ZERO);
+        self.energy = self.back();
         if self.solver.shift < R::of(MOST_SHIFT) && to.fall > rounding {
             self.solver.grow();
             return None;
@@ -362,7 +370,7 @@ impl<'a, R: Real, L: Loads<R>, T: Touch<R>, const N: usize> Run<'a, R, L, T, N> 
                 share *= R::of(0.5);
             }
         }
-        self.energy = self.evaluate(R::ZERO);
+        self.energy = self.back();
         self.joined = self.body.gap.size(length);
     }
 }

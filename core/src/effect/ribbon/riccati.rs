@@ -86,13 +86,13 @@ impl<R: Real> Gain<R> {
         axes: [[R::ZERO; 6]; 2],
         lean: R::ZERO,
     };
-    /// The step of the crease.
+    /// The step of the crease for a share of the whole, given what the state before it has become.
     #[inline]
-    pub fn rule(&self, x: &Six<R>, u: [R; 2], d: Option<&Six<R>>) -> [R; 2] {
+    pub fn rule(&self, share: R, x: &Six<R>, u: [R; 2], d: Option<&Six<R>>) -> [R; 2] {
         let row = |i: usize| {
             let near = self.u[i][0] * u[0] + self.u[i][1] * u[1];
             let far = d.map_or(R::ZERO, |d| dot6(&self.d[i], d));
-            -(self.k[i] + dot6(&self.x[i], x) + near + far)
+            -(self.k[i] * share + dot6(&self.x[i], x) + near + far)
         };
         [row(0), row(1)]
     }

@@ -20,6 +20,9 @@ use super::strip::Strip;
 use crate::real::{Real, V3};
 use nalgebra::{SMatrix, SVector};
 
+/// What a shift weighs on a slope, against an angle: slopes move by more.
+pub const SLOPES: f64 = 0.1;
+
 /// What a segment is followed by.
 #[derive(Clone, Copy)]
 struct Next<'a, R> {
@@ -59,6 +62,8 @@ struct Carried<R> {
     shift: R,
     /// The start moves too, and the end with it.
     drift: bool,
+    /// Without what a wrench gains by turning.
+    rough: bool,
 }
 
 #[inline(always)]
@@ -95,7 +100,7 @@ impl<R: Real, const N: usize> Body<R, N> {
         shift: R,
     ) -> Option<R> {
         let mut carried = self.carried(shift);
-        let Self { strip, stages, end, motion, mu, .. } = self;
+        let Self { strip, stages, end, motion, mu, rough, .. } = self;
         let mut pull = Pull::none();
         pulls(ask, loads, strip.n, &end.pair, &mut pull);
         curve(&mut carried.value, &pull, &end.pair, V3([R::ZERO; 3]), carried.drift);
@@ -104,15 +109,12 @@ impl<R: Real, const N: usize> Body<R, N> {
             pulls(ask, loads, j, &s.pair, &mut pull);
             let cell = Self::cell(s, (next.pair, next.want, next.crease.c));
             let spread = cell.spread;
-            let m = pressed(
-                strip,
-                motion,
-                &cell,
-                [pull.gradient, next.pulled],
-                ask.guide(j),
-                (touch, j),
-            );
-            let bent = bending::derivatives(strip, j, s.crease, next.crease);
+            let others = [pull.gradient, next.pulled];
+            let m = pressed(strip, motion, &cell, others, ask.guide(j), (touch, j), *rough);
+            let mut bent = bending::derivatives(strip, j, s.crease, next.crease);
+            if *rough {
+                bent.h = bending::rough(strip, j, s.crease, next.crease);
+            }
             let w = wall(spread, strip.limit, *mu, s.dual);
             if let Some(turn) = next.turn {
                 carried.cross(s, turn, &m, &bent, &w, strip.cell)?;
@@ -141,12 +143,14 @@ impl<R: Real, const N: usize> Body<R, N> {
             fall: R::ZERO,
             shift: self.strip.stiff * R::of(2.0) * shift,
             drift: self.looped() && self.strip.free,
+            rough: self.rough,
         }
     }
 
     /// The hinge at the start, then the start itself.
     fn factor_start(&mut self, carried: &mut Carried<R>, turn: Turn<R>) -> Option<R> {
-        let Carried { value, beyond, fall, shift, drift } = carried;
+        let Carried { value, fall, shift, drift, .. } = carried;
+        let beyond = &if carried.rough { [R::ZERO; 6] } else { carried.beyond };
         let (shift, drift) = (*shift, *drift);
         let axes = turn.axes(&self.base).map(|a| about(a, self.base.p));
         let o = R::ZERO;
@@ -186,7 +190,7 @@ impl<R: Real, const N: usize> Body<R, N> {
         let (d, limit, n) = (self.base_step, self.strip.limit, self.strip.n);
         let far = drift.then_some(&d);
         let start = if drift { [R::ZERO; 6] } else { d };
-        let mut step = self.root_gain.rule(&start, [R::ZERO; 2], far);
+        let mut step = self.root_gain.rule(R::of(1.0), &start, [R::ZERO; 2], far);
         let mut x = self.root_gain.beyond(&start, step);
         let (mut size, mut share, mut held) = (R::ZERO, R::of(1.0), 0);
         let mut stages = self.used_mut().iter_mut().enumerate().peekable();
@@ -197,7 +201,7 @@ impl<R: Real, const N: usize> Body<R, N> {
             step = [R::ZERO; 2];
             if let Some((_, next)) = stages.peek() {
                 spread = next.kept.c - s.kept.c;
-                let rule = s.gain.rule(&x, own, far);
+                let rule = s.gain.rule(R::of(1.0), &x, own, far);
                 step = rule;
                 if hold {
                     let reach = limit * R::of((n - j - 1) as f64);
@@ -238,14 +242,15 @@ impl<R: Real> Carried<R> {
         let p = s.frame.p + s.frame.t * cell;
         let axes = turn.axes(&s.frame).map(|a| about(a, p));
         let [mixed, bend] = turn.second_axes(&s.frame);
-        let [torque, force] = halves(&self.beyond);
+        let beyond = if self.rough { [R::ZERO; 6] } else { self.beyond };
+        let [torque, force] = halves(&beyond);
         let moment = torque - p.cross(force);
         let (g, h) = (&bent.g, &bent.h);
-        let mut x = axes.map(|a| bracket(&a, &self.beyond));
+        let mut x = axes.map(|a| bracket(&a, &beyond));
         for (x, &m) in x[1].iter_mut().zip(&m.xc[1]) {
             *x += m;
         }
-        let cc = h[3][3] + m.cc[2] + moment.dot(bend) + wall.curve + self.shift;
+        let cc = h[3][3] + m.cc[2] + moment.dot(bend) + wall.curve + self.shift * R::of(SLOPES);
         let tie = Tie {
             x,
             u: [[h[2][0], h[2][1]], [h[3][0], h[3][1] + m.cc[1] - wall.curve]],
@@ -292,9 +297,10 @@ pub(super) fn pressed<R: Real, T: Touch<R>>(
     others: [Pair<R>; 2],
     lean: V3<R>,
     (touch, segment): (&T, usize),
+    rough: bool,
 ) -> Model<R> {
     if !T::ACTIVE {
-        return model(strip, motion, cell, &others, lean);
+        return model(strip, motion, cell, &others, lean, rough);
     }
     let mut sum = others;
     for (pair, force) in sum.iter_mut().zip(forces(touch, segment)) {
@@ -302,7 +308,7 @@ pub(super) fn pressed<R: Real, T: Touch<R>>(
             *s = *s + f;
         }
     }
-    let mut m = model(strip, motion, cell, &sum, lean);
+    let mut m = model(strip, motion, cell, &sum, lean, rough);
     stiffen(touch, segment, &cell.x, strip, cell.frame.t, &mut m);
     m
 }
