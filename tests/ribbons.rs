@@ -3,6 +3,8 @@
 mod ribbon_chains;
 mod ribbon_contact;
 mod ribbon_derivatives;
+mod ribbon_event;
+mod ribbon_fidelity;
 mod ribbon_hard_cases;
 mod ribbon_loops;
 mod ribbon_newton;

@@ -15,9 +15,9 @@
 //! | `riccati`, `sweep`, `mend` | the linear solve; that of a loop's joint alone |
 //! | `contact` | what pushes back, and what no step may pass through |
 //! | `adjoint` | the gradient alone, for oracles |
-//! | `newton`, `report` | the method, its limits and its answer |
+//! | `newton`, `report`, `fidelity` | the method, its limits and its answer; what accuracy costs |
 //! | `life` | [`Ribbon`]: what a caller holds |
-//! | `energy` | what energy it has |
+//! | `energy`, `event` | what energy it has; what a step sounds like |
 //!
 //! Source: the seed's "Modelling Developable Ribbons Using Ruling Bending Coordinates", cited as Ribbon.
 
@@ -39,9 +39,11 @@ pub mod adjoint;
 pub mod contact;
 pub mod mend;
 pub mod report;
+pub mod fidelity;
 pub mod newton;
 pub mod life;
 pub mod energy;
+pub mod event;
 
 pub use life::Ribbon;
 pub use load::{Ask, Guide, Loads, Pull, Spring};

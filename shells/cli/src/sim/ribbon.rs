@@ -32,27 +32,11 @@ pub(super) fn build<R: Real>(
     beside: Option<Box<dyn Sim>>,
     fidelity: Fidelity,
 ) -> Result<Box<dyn Sim>, CliError> {
-    let settings = settings::<R>(fidelity);
+    let settings = Settings::of::<R>(fidelity);
     let band = |part| Band::<R>::lay(part, &scene.world, &settings);
     let bands: Result<Vec<_>, CliError> = scene.ribbons.iter().map(band).collect();
     let step_us = scene.world.step_us;
     Ok(Box::new(Ribbons { beside, bands: bands?, step_us, now_us: 0, moved_us: 0 }))
-}
-
-/// What a step is allowed; single precision does not see steps below a ten-thousandth.
-fn settings<R: Real>(fidelity: Fidelity) -> Settings {
-    let finest = if R::EPSILON > 1e-10 { 1e-4 } else { 0.0 };
-    let of = |iterations, tolerance: f64| Settings {
-        iterations,
-        tolerance: tolerance.max(finest),
-        ..Settings::STEP
-    };
-    match fidelity {
-        Fidelity::Draft => of(15, 1e-3),
-        Fidelity::Standard => Settings::STEP,
-        Fidelity::Fine => of(120, 1e-6),
-        Fidelity::Reference => of(1_000, 1e-9),
-    }
 }
 
 impl<R: Real> Sim for Ribbons<R> {

@@ -27,7 +27,7 @@ pub mod near;
 pub mod press;
 pub mod crowd;
 
-pub use crowd::{Summary, step_all};
+pub use crowd::{Summary, step_all, step_each};
 pub use near::{Counts, Near};
 pub use push::Cushion;
 pub use surface::{Field, HalfSpace, Surface};
