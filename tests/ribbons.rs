@@ -5,6 +5,7 @@ mod ribbon_contact;
 mod ribbon_derivatives;
 mod ribbon_event;
 mod ribbon_fidelity;
+mod ribbon_golden;
 mod ribbon_hard_cases;
 mod ribbon_loops;
 mod ribbon_newton;

@@ -18,6 +18,7 @@
 //! | `newton`, `report`, `fidelity` | the method, its limits and its answer; what accuracy costs |
 //! | `life` | [`Ribbon`]: what a caller holds |
 //! | `energy`, `event` | what energy it has; what a step sounds like |
+//! | `record` | its steps as a file that can be played again |
 //!
 //! Source: the seed's "Modelling Developable Ribbons Using Ruling Bending Coordinates", cited as Ribbon.
 
@@ -44,6 +45,7 @@ pub mod newton;
 pub mod life;
 pub mod energy;
 pub mod event;
+pub mod record;
 
 pub use life::Ribbon;
 pub use load::{Ask, Guide, Loads, Pull, Spring};
