@@ -11,6 +11,7 @@ mod ribbon_loops;
 mod ribbon_newton;
 mod ribbon_numbers;
 mod ribbon_parts;
+mod ribbon_record;
 mod ribbon_soak;
 mod ribbon_statics;
 mod tally;
