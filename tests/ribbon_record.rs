@@ -155,7 +155,7 @@ fn forged_and_resealed_it_is_refused_or_plays() {
     let sound = busy::<f32>();
     let mut ribbon = Box::new(Ribbon::<f32, 20>::EMPTY);
     let mut told = std::collections::BTreeMap::<String, u32>::new();
-    for at in (0..sound.len() - 4).step_by(5) {
+    for at in 0..sound.len() - 4 {
         let mut forged = sound.clone();
         forged[at] ^= 0x80 >> (at % 8);
         resealed(&mut forged);
