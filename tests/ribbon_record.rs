@@ -32,7 +32,7 @@ fn again<R: Real, const N: usize>(
     step: impl FnMut(&mut Ribbon<R, N>, f64) -> Report<R>,
 ) -> Verdict {
     let reader = Reader::open(bytes).expect("a sound recording");
-    assert_eq!(reader.steps(), STEPS);
+    assert_eq!(reader.steps(), STEPS, "all of them");
     replay(&reader, &mut Box::new(Ribbon::<R, N>::EMPTY), step).expect("it fits")
 }
 

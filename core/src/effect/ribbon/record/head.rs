@@ -3,6 +3,7 @@
 use super::MAGIC;
 use crate::effect::ribbon::frame::Frame;
 use crate::effect::ribbon::load::{Ask, GUIDES, Guide, SPRINGS, Spring};
+use crate::effect::ribbon::newton::Solver;
 use crate::effect::ribbon::spec::{Bending, Closure, Mass, Resample, RibbonSpec, Root};
 use crate::effect::ribbon::{Ribbon, Settings};
 use crate::real::{Real, V3};
@@ -126,7 +127,9 @@ pub(super) fn state<R: Real, const N: usize>(
     let (body, solver) = ribbon.memory();
     frame(&mut body.kept_base, wire)?;
     body.joint.iter_mut().chain(&mut body.hold.lambda).try_for_each(|x| real(x, wire))?;
-    [&mut solver.shift, &mut solver.first].into_iter().try_for_each(|x| real(x, wire))?;
+    // Taken apart, so that what else it may carry does not compile here until it has a place.
+    let Solver { shift, first } = solver;
+    [shift, first].into_iter().try_for_each(|x| real(x, wire))?;
     for s in body.used_mut() {
         real(&mut s.kept.psi, wire)?;
         real(&mut s.kept.c, wire)?;
@@ -135,9 +138,12 @@ pub(super) fn state<R: Real, const N: usize>(
     body.end.velocity.iter_mut().try_for_each(|v| vector(v, wire))
 }
 
+/// Numbers that the solver carries.
+const CARRIED: usize = 2;
+
 /// Numbers of a state of so many segments.
 pub(super) const fn state_numbers(segments: usize) -> usize {
-    28 + 8 * segments
+    26 + CARRIED + 8 * segments
 }
 
 /// What a ribbon is asked.
