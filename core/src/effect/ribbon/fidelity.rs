@@ -26,8 +26,8 @@ impl Settings {
     ///
     /// # Accuracy
     ///
-    /// The error is that of the method's step, of first order in `h`, which none of these dials changes. In `f32` fine and
-    /// reference have standard's dials, and more iterations.
+    /// Errors are against reference. What a step itself errs by, of first order in `h`, none of these dials changes. In
+    /// `f32` fine and reference have standard's dials, and more iterations.
     pub fn of<R: Real>(fidelity: Fidelity) -> Self {
         let dial = |iterations, tolerance, closure, barrier| Self {
             iterations,
