@@ -50,7 +50,7 @@ pub(crate) fn lint(args: &[String]) -> Result {
         let targets: &[&str] = if feature == "seed" { &["--all-targets"] } else { &[] };
         list.push(core(&[&["--features", feature.as_str()], targets].concat()));
     }
-    list.push(clippy(&["--manifest-path", PROBE, "--all-targets"]));
+    list.push(clippy(&["--manifest-path", PROBE, "--all-targets", "--all-features"]));
     list.push(clippy(&["--manifest-path", WEB, "--all-targets", "--all-features"]));
     // Without the target `hashes` says that it is missing.
     if tools::target(BOARD).is_ok() {

@@ -87,6 +87,12 @@ pub(crate) fn golden(args: &[String]) -> Result {
         others.env("DOGLEAF_BLESS", "1");
     }
     run(&mut promised)?;
+    let mut ribbons = cargo(["test"]);
+    ribbons.args(SWIFT).args(["-p", PROMISED, "--test", "ribbons", "--", "ribbon_golden::"]);
+    if bless {
+        ribbons.env("DOGLEAF_BLESS", "1");
+    }
+    run(&mut ribbons)?;
     run(&mut others)?;
     let mut counted = cargo(["test", "--release", "-p", COUNTED, "--test", "golden"]);
     if bless {

@@ -152,6 +152,7 @@ impl Target {
         let mut c = cargo(what.split(' '));
         c.args(["--quiet", "--locked", "--profile", level, "--target", self.triple]);
         c.arg("--target-dir").arg(folder);
+        c.args(["--features", "ribbon"]);
         if matches!(self.on, On::Board(..)) && self.tiers(level).contains(&"f64") {
             c.args(["--features", "double"]);
         }

@@ -8,7 +8,7 @@ use crate::hand::Phase;
 use crate::scene::{Cover, Direction, Fidelity, Formulation, Pages};
 
 /// A value that travels as one byte.
-pub(super) trait Coded: Copy + 'static {
+pub(crate) trait Coded: Copy + 'static {
     /// What an error calls it.
     const NAME: &'static str;
     /// Every value.
@@ -19,7 +19,7 @@ pub(super) trait Coded: Copy + 'static {
 
 macro_rules! coded {
     ($type:ident, $name:literal, $($value:ident = $code:literal),+) => {
-        impl Coded for $type {
+        impl $crate::record::code::Coded for $type {
             const NAME: &'static str = $name;
             const ALL: &'static [Self] = &[$($type::$value),+];
             fn code(self) -> u8 {
@@ -30,6 +30,9 @@ macro_rules! coded {
         }
     };
 }
+
+#[cfg(feature = "ribbon")]
+pub(crate) use coded;
 
 coded!(Tier, "numeric tier", F32 = 4, F64 = 8);
 coded!(Cover, "cover", Hard = 0, Soft = 1);

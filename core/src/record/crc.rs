@@ -30,14 +30,14 @@ const TABLE: [u32; 16] = [
 
 /// A running checksum.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Crc(u32);
+pub(crate) struct Crc(u32);
 
 impl Crc {
     /// Of nothing.
-    pub(super) const START: Self = Self(u32::MAX);
+    pub(crate) const START: Self = Self(u32::MAX);
 
     /// Takes bytes in.
-    pub(super) fn take(&mut self, bytes: &[u8]) {
+    pub(crate) fn take(&mut self, bytes: &[u8]) {
         for &byte in bytes {
             self.0 ^= u32::from(byte);
             self.nibble();
@@ -49,7 +49,7 @@ impl Crc {
         self.0 = row ^ (self.0 >> 4);
     }
     /// The checksum so far.
-    pub(super) fn value(self) -> u32 {
+    pub(crate) fn value(self) -> u32 {
         !self.0
     }
 }

@@ -208,7 +208,8 @@ pub(super) fn preamble(wire: &mut impl Wire) -> Done {
     if version == VERSION { Ok(()) } else { Err(RecordError::Version(version)) }
 }
 
-fn this_build() -> u64 {
+/// The hash of [`MADE_BY`].
+pub(crate) fn this_build() -> u64 {
     let mut hash = Fnv::default();
     MADE_BY.bytes().for_each(|byte| hash.word(u64::from(byte)));
     hash.value()

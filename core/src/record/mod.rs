@@ -28,14 +28,14 @@
 //! A file is believed only after [`Reader::open`] has seen all of it: right length, version, checksum,
 //! codes, specs and counts. Source: ours. Checked by `tests/replay.rs` and `tests/recording_refused.rs`.
 
-mod code;
-mod crc;
+pub(crate) mod code;
+pub(crate) mod crc;
 mod error;
-mod header;
+pub(crate) mod header;
 mod piece;
 mod read;
 mod replay;
-mod wire;
+pub(crate) mod wire;
 mod write;
 
 pub use error::RecordError;

@@ -9,10 +9,10 @@ use super::error::RecordError;
 use super::write::Sink;
 
 /// What a wire answers.
-pub(super) type Done = Result<(), RecordError>;
+pub(crate) type Done = Result<(), RecordError>;
 
 /// A direction in which fields travel.
-pub(super) trait Wire {
+pub(crate) trait Wire {
     /// The bytes of one field.
     fn bytes<const N: usize>(&mut self, field: &mut [u8; N]) -> Done;
 
@@ -74,10 +74,10 @@ pub(super) trait Wire {
 
 /// Out into a sink, counted and summed.
 #[derive(Debug)]
-pub(super) struct Out<S> {
-    pub(super) sink: S,
-    pub(super) crc: Crc,
-    pub(super) written: usize,
+pub(crate) struct Out<S> {
+    pub(crate) sink: S,
+    pub(crate) crc: Crc,
+    pub(crate) written: usize,
 }
 
 impl<S: Sink> Wire for Out<S> {
@@ -91,7 +91,7 @@ impl<S: Sink> Wire for Out<S> {
 
 /// In from bytes.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct In<'a>(pub(super) &'a [u8]);
+pub(crate) struct In<'a>(pub(crate) &'a [u8]);
 
 impl Wire for In<'_> {
     fn bytes<const N: usize>(&mut self, field: &mut [u8; N]) -> Done {
@@ -104,7 +104,7 @@ impl Wire for In<'_> {
 
 /// Nowhere: how long would it be?
 #[derive(Debug, Default)]
-pub(super) struct Ruler(pub(super) usize);
+pub(crate) struct Ruler(pub(crate) usize);
 
 impl Wire for Ruler {
     fn bytes<const N: usize>(&mut self, _: &mut [u8; N]) -> Done {

@@ -166,6 +166,7 @@ fn what_cannot_be_is_refused_in_one_line() {
             ":2: ribbon.pulls.to_m is not a finite number",
         ),
         ("[[ribbon]]\npulls = [{n_per_m = -1}]", ":2: ribbon.pulls.n_per_m is out of range"),
+        ("[[ribbon]]\nfloor_n_per_m = 5.0", ":2: unknown key 'floor_n_per_m' in [ribbon]"),
         ("[[ribbon]]\n[hand]\nsamples=[{phase='down'}]", "[hand] needs a [book]"),
     ] {
         std::fs::write(&scene, text).expect("a file");
@@ -176,4 +177,37 @@ fn what_cannot_be_is_refused_in_one_line() {
     let helix = fixture("scenes/ribbon_helix_001.toml");
     let (error, _) = refused(&["run", &helix, "--frames", "2", "--record", &recording]);
     assert!(error.contains("this scene has ribbons"), "{error}");
+}
+
+#[test]
+fn what_falls_on_a_floor_stays_above_it() {
+    let scene = fixture("scenes/ribbon_fall_150.toml");
+    let lines = run_lines(&[&scene, "--frames", "45"]);
+    let lowest = |frame: &Value| {
+        let rims = ["rim_a", "rim_b"].map(|r| points(&frame["ribbons"][0][r]));
+        rims.iter().flatten().map(|p| p[1]).fold(f64::INFINITY, f64::min)
+    };
+    assert!(lines[1..].iter().all(|l| lowest(l) > 0.0), "nothing is below the floor");
+    let last = lines.last().expect("frames");
+    assert!(lowest(last) < 2e-3, "it is down, as near as its cushion lets it");
+}
+
+#[test]
+fn chains_stay_closed_and_lose_energy() {
+    for (name, links) in [("ribbon_mobius_chain", 9), ("ribbon_double_chain", 18)] {
+        let scene = fixture(&format!("scenes/{name}.toml"));
+        let lines = run_lines(&[&scene, "--frames", "4", "--real", "f64"]);
+        let total = |l: &Value| {
+            let part = |k: &str| l["energy"][k].as_f64().expect("joules");
+            part("kinetic") + part("potential")
+        };
+        for pair in lines[1..].windows(2) {
+            assert!(total(&pair[1]) < total(&pair[0]), "{name}: energy from nowhere");
+        }
+        for frame in &lines[1..] {
+            let ribbons = frame["ribbons"].as_array().expect("ribbons");
+            assert_eq!(ribbons.len(), links, "{name}");
+            assert!(ribbons.iter().all(|r| r["gap"].as_f64() < Some(1e-5)), "{name} is closed");
+        }
+    }
 }

@@ -11,6 +11,8 @@ mod kernel;
 mod matrix;
 mod numbers;
 mod random;
+#[cfg(feature = "ribbon")]
+mod ribbon;
 mod scenes;
 mod strip;
 mod timing;
@@ -49,14 +51,17 @@ pub fn probes<R: Pick>() -> impl Iterator<Item = Probe> {
             run,
         }
     };
-    numbers::table::<R>()
+    let operations = numbers::table::<R>()
         .into_iter()
         .chain(kernel::table::<R>())
         .chain(matrix::table::<R>())
         .chain(strip::table::<R>())
-        .chain(hand::table::<R>())
-        .map(make("operation"))
-        .chain(scenes::table::<R>().into_iter().map(make("scene")))
+        .chain(hand::table::<R>());
+    let scenes = scenes::table::<R>().into_iter();
+    #[cfg(feature = "ribbon")]
+    let (operations, scenes) =
+        (operations.chain(ribbon::operations::<R>()), scenes.chain(ribbon::scenes::<R>()));
+    operations.map(make("operation")).chain(scenes.map(make("scene")))
 }
 
 /// One row of a table of probes.

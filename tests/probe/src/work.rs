@@ -12,6 +12,10 @@ pub struct Tier<R: Real> {
     pub(crate) small: Book<R, G6x5>,
     pub(crate) lone: LoneLeaf<R, G11x8>,
     pub(crate) matrix: Matrix<R, G6x5>,
+    #[cfg(feature = "ribbon")]
+    pub(crate) ribbon: crate::ribbon::Short<R>,
+    #[cfg(feature = "ribbon")]
+    pub(crate) ground: crate::ribbon::Ground<R>,
 }
 
 impl<R: Real> Tier<R> {
@@ -20,6 +24,10 @@ impl<R: Real> Tier<R> {
         small: Book::EMPTY,
         lone: LoneLeaf::EMPTY,
         matrix: Matrix::EMPTY,
+        #[cfg(feature = "ribbon")]
+        ribbon: crate::ribbon::Short::EMPTY,
+        #[cfg(feature = "ribbon")]
+        ground: crate::ribbon::ground(),
     };
 }
 

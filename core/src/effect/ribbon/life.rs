@@ -313,6 +313,10 @@ impl<R: Real, const N: usize> Ribbon<R, N> {
     pub(super) fn posed(&self) -> &Body<R, N> {
         &self.body
     }
+    /// What is carried from one solve to the next: not a part of the state, yet it decides the bits.
+    pub(super) fn memory(&mut self) -> (&mut Body<R, N>, &mut Solver<R>) {
+        (&mut self.body, &mut self.solver)
+    }
     /// What is solved for: for oracles and tests.
     pub fn body(&mut self) -> &mut Body<R, N> {
         &mut self.body

@@ -16,9 +16,10 @@
 //! | `roll` | a trial: a share of the step, answering to where it leads |
 //! | `contact` | what pushes back, and what no step may pass through |
 //! | `adjoint` | the gradient alone, for oracles |
-//! | `newton`, `report` | the method, its limits and its answer |
+//! | `newton`, `report`, `fidelity` | the method, its limits and its answer; what accuracy costs |
 //! | `life` | [`Ribbon`]: what a caller holds |
-//! | `energy` | what energy it has |
+//! | `energy`, `event` | what energy it has; what a step sounds like |
+//! | `record` | its steps as a file that can be played again |
 //! | `bookmark` | the ribbon sewn to a book |
 //!
 //! Source: the seed's "Modelling Developable Ribbons Using Ruling Bending Coordinates", cited as Ribbon.
@@ -42,9 +43,12 @@ pub mod contact;
 pub mod mend;
 pub mod roll;
 pub mod report;
+pub mod fidelity;
 pub mod newton;
 pub mod life;
 pub mod energy;
+pub mod event;
+pub mod record;
 pub mod bookmark;
 
 pub use life::Ribbon;

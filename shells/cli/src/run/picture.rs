@@ -26,7 +26,7 @@ impl Picture {
             Body::Book(book) => (book.direction, Some(book.cover)),
             Body::Leaf(_) | Body::Nothing => (Direction::Ltr, None),
         };
-        let floor_m = scene.ribbons.iter().find_map(|r| r.floor).map(|f| f.height_m);
+        let floor_m = scene.ribbons.iter().find_map(|r| r.floor_m);
         let thickness_m = (scene.paper.thickness_mm * 1e-3) as f32;
         let set = Set { view: scene.view, direction, cover, floor_m, thickness_m };
         let rate = 1e6 / f64::from(scene.frame_us);

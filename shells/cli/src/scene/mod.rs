@@ -10,7 +10,7 @@ mod ribbon;
 mod section;
 
 pub(crate) use error::{Fault, SceneError};
-pub(crate) use ribbon::{Fabric, Floor, MOST_SEGMENTS, RibbonPart, Start, Twist};
+pub(crate) use ribbon::{Fabric, MOST_SEGMENTS, RibbonPart, Start, Twist};
 
 use crate::error::{CliError, shown};
 use crate::files::read_text;

@@ -37,7 +37,7 @@ const KEYS: [&str; 26] = [
     "spin_rad_per_s",
     "pulls",
     "floor_m",
-    "floor_n_per_m",
+    "contact",
     "look",
     "perturbation",
 ];
@@ -67,13 +67,6 @@ pub(crate) struct PullPart {
     /// 0: rim A.
     pub(crate) rim: usize,
     pub(crate) to_m: [f64; 3],
-    pub(crate) n_per_m: f64,
-}
-
-/// A floor that pushes back.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Floor {
-    pub(crate) height_m: f64,
     pub(crate) n_per_m: f64,
 }
 
@@ -108,7 +101,10 @@ pub(crate) struct RibbonPart {
     pub(crate) velocity: [f64; 3],
     pub(crate) spin: [f64; 3],
     pub(crate) pulls: Vec<PullPart>,
-    pub(crate) floor: Option<Floor>,
+    /// Height of a floor it does not pass through.
+    pub(crate) floor_m: Option<f64>,
+    /// It does not pass through itself and others that do not.
+    pub(crate) contact: bool,
     pub(crate) fabric: Fabric,
 }
 
@@ -121,10 +117,15 @@ pub(super) fn ribbons(
     if sections.len() > MOST_RIBBONS {
         return Err(root.fault("ribbon", Fault::Conflict("a scene has at most 64 ribbons")));
     }
-    sections.iter().enumerate().map(|(k, s)| ribbon(s, world, k as u64)).collect()
+    let many = sections.len() > 1;
+    sections.iter().enumerate().map(|(k, s)| ribbon(s, world, (k as u64, many))).collect()
 }
 
-fn ribbon(s: &Section<'_>, world: &WorldSpec, number: u64) -> Result<RibbonPart, SceneError> {
+fn ribbon(
+    s: &Section<'_>,
+    world: &WorldSpec,
+    (number, many): (u64, bool),
+) -> Result<RibbonPart, SceneError> {
     let starts = [
         ("straight", Start::Straight),
         ("helix", Start::Helix),
@@ -134,6 +135,7 @@ fn ribbon(s: &Section<'_>, world: &WorldSpec, number: u64) -> Result<RibbonPart,
     let start = s.choice("start", Start::Straight, &starts)?;
     let spec = spec(s, start, world, number)?;
     let [along, normal] = directions(s)?;
+    let floor_m = floor(s)?;
     Ok(RibbonPart {
         start,
         helix: [within(s, "ribbon.turns", 3.0, 1e3)?, within(s, "ribbon.slope", 0.3, 10.0)?],
@@ -144,7 +146,8 @@ fn ribbon(s: &Section<'_>, world: &WorldSpec, number: u64) -> Result<RibbonPart,
         velocity: place(s, "ribbon.velocity_m_per_s")?,
         spin: place(s, "ribbon.spin_rad_per_s")?,
         pulls: pulls(s, spec.segments)?,
-        floor: floor(s)?,
+        contact: s.flag("contact", many || floor_m.is_some())?,
+        floor_m,
         fabric: s.choice(
             "look",
             Fabric::default(),
@@ -256,11 +259,9 @@ fn twist(s: &Section<'_>) -> Result<Option<Twist>, SceneError> {
     Ok(asked.then_some(Twist { angle_rad, seconds, stiffness_nm }))
 }
 
-fn floor(s: &Section<'_>) -> Result<Option<Floor>, SceneError> {
+fn floor(s: &Section<'_>) -> Result<Option<f64>, SceneError> {
     let height_m = within(s, "ribbon.floor_m", 0.0, 1e6)?;
-    let n_per_m = positive(s, "ribbon.floor_n_per_m", 5.0, 1e6)?;
-    let asked = s.has("floor_m") || s.has("floor_n_per_m");
-    Ok(asked.then_some(Floor { height_m, n_per_m }))
+    Ok(s.has("floor_m").then_some(height_m))
 }
 
 fn pulls(s: &Section<'_>, segments: usize) -> Result<Vec<PullPart>, SceneError> {

@@ -3,12 +3,13 @@
 use super::{Energy, RibbonWork, Rims, Strain};
 use crate::error::CliError;
 use crate::picture::{BandShot, band_shot};
-use crate::scene::{Fabric, Floor, MOST_SEGMENTS, RibbonPart, Start, Twist};
+use crate::scene::{Fabric, MOST_SEGMENTS, RibbonPart, Start, Twist};
+use dogleaf_core::effect::ribbon::contact::{Cushion, HalfSpace, Near, Surface};
 use dogleaf_core::effect::ribbon::frame::Frame;
 use dogleaf_core::effect::ribbon::joint::Crease;
 use dogleaf_core::effect::ribbon::resample::Pair;
 use dogleaf_core::effect::ribbon::{
-    Closure, Guide, Loads, Pull, Report, Ribbon, RibbonSpec, Settings, Spring, Status, bending,
+    Closure, Guide, Loads, Report, Ribbon, RibbonSpec, Settings, Spring, Status, bending,
 };
 use dogleaf_core::real::{Real, V3};
 use dogleaf_core::scene::WorldSpec;
@@ -20,44 +21,31 @@ pub(super) struct Band<R: Real> {
     /// The directions it was laid in.
     base: Frame<R>,
     twist: Option<Twist>,
-    ground: Ground,
+    floor: Floor<R>,
+    /// It touches what else does.
+    pub(super) contact: bool,
     fabric: Fabric,
     /// Work since it was last told, and how the worst solve ended.
     work: Report<R>,
     bends: u32,
 }
 
-/// A floor below: `k/2 d²` at a vertex that is `d` deep.
+/// A floor, where there is one.
 #[derive(Debug, Clone, Copy)]
-struct Ground {
-    floor: Option<Floor>,
-    /// Height of the ribbon's own origin.
-    origin: f64,
-}
+pub(super) struct Floor<R>(Option<HalfSpace<R>>);
 
-impl Ground {
-    fn depth<R: Real>(&self, p: &V3<R>) -> (R, R) {
-        let none = (R::ZERO, R::ZERO);
-        self.floor.map_or(none, |f| {
-            ((R::of(f.height_m - self.origin) - p.0[1]).larger(R::ZERO), R::of(f.n_per_m))
-        })
+impl<R: Real> Surface<R> for Floor<R> {
+    fn above(&self, p: V3<R>) -> (R, V3<R>) {
+        self.0.map_or_else(|| ().above(p), |plane| plane.above(p))
     }
 }
 
-impl<R: Real> Loads<R> for Ground {
-    fn energy(&self, _: usize, pair: &Pair<R>) -> R {
-        pair.iter().map(|p| self.depth(p)).fold(R::ZERO, |sum, (d, k)| sum + d * d * k * R::of(0.5))
-    }
-    fn pull(&self, _: usize, pair: &Pair<R>, pull: &mut Pull<R>) {
-        let (none, up) = (V3([R::ZERO; 3]), V3([R::ZERO, R::one(), R::ZERO]));
-        let [(a, k), (b, _)] = [self.depth(&pair[0]), self.depth(&pair[1])];
-        pull.push(up * (-k * a), up * (-k * b));
-        for (depth, rows) in [(a, [up, none]), (b, [none, up])] {
-            if depth > R::ZERO {
-                pull.curve(k, rows);
-            }
-        }
-    }
+/// What is near a ribbon of a scene.
+pub(super) type Room<R> = Near<R, Floor<R>, MOST_SEGMENTS, 2048, 8192>;
+
+/// Nothing near yet.
+pub(super) fn room<R: Real>() -> Box<Room<R>> {
+    Box::new(Near::over(Floor(None), Cushion::default()))
 }
 
 impl<R: Real> Band<R> {
@@ -86,15 +74,41 @@ impl<R: Real> Band<R> {
             // The scene has counted them.
             let _ = ribbon.ask.springs.push(spring);
         }
-        let ground = Ground { floor: part.floor, origin: part.at_m[1] };
+        let up = V3([0.0, 1.0, 0.0].map(R::of));
+        let plane =
+            |height: f64| HalfSpace { point: up * R::of(height - part.at_m[1]), normal: up };
+        let floor = Floor(part.floor_m.map(plane));
         let (twist, fabric) = (part.twist, part.fabric);
-        Ok(Self { ribbon, base, twist, ground, fabric, work: Report::NONE, bends: 0 })
+        let contact = part.contact;
+        Ok(Self { ribbon, base, twist, floor, contact, fabric, work: Report::NONE, bends: 0 })
     }
 
-    /// One step; `now_us` is the time at its end.
-    pub(super) fn step(&mut self, now_us: u64, step_us: u32) -> StepStatus {
+    /// Finds what is near it within a step.
+    pub(super) fn look<'a>(
+        &'a self,
+        near: &mut Room<R>,
+        step_us: u32,
+        others: impl Iterator<Item = &'a Self>,
+    ) {
+        near.begin(&self.ribbon, f64::from(step_us) * 1e-6);
+        near.surface = self.floor;
+        others.filter(|o| o.contact).for_each(|o| near.add(&o.ribbon));
+    }
+
+    /// One step; `now_us` is the time at its end, `near` what it could meet.
+    pub(super) fn step(
+        &mut self,
+        now_us: u64,
+        step_us: u32,
+        near: Option<&mut Room<R>>,
+    ) -> StepStatus {
         self.turn_end(now_us as f64 * 1e-6);
-        let report = self.ribbon.step_under(f64::from(step_us) * 1e-6, &self.ground);
+        let h = f64::from(step_us) * 1e-6;
+        let report = match near {
+            Some(near) if near.full() => self.ribbon.hold(),
+            Some(near) => self.ribbon.step_touching(h, &(), near),
+            None => self.ribbon.step(h),
+        };
         let worst = if rank(report.status) < rank(self.work.status) && self.bends > 0 {
             self.work.status
         } else {
@@ -142,8 +156,8 @@ impl<R: Real> Band<R> {
         self.ribbon.state_hash()
     }
 
-    /// Everything a line of output says of it; the work is told once.
-    pub(super) fn rims(&mut self) -> Rims {
+    /// Everything a line of output says of it, `touching` joules of contact among it; the work is told once.
+    pub(super) fn rims(&mut self, touching: f64) -> Rims {
         let (at, pairs) = (self.ribbon.origin(), self.ribbon.pairs());
         let (rim_a, rim_b) = pairs.map(|[a, b]| (world(a, at), world(b, at))).unzip();
         let work = std::mem::replace(&mut self.work, Report::NONE);
@@ -160,15 +174,19 @@ impl<R: Real> Band<R> {
             },
             gap: looped.then(|| work.gap.wide()),
             stretch: stretch(&self.ribbon),
-            energy: self.energy(),
+            energy: self.energy().and(Energy { kinetic: 0.0, potential: touching }),
         };
         self.bends = 0;
         rims
     }
 
-    /// Kinetic energy; bending, weight above the world's origin, floor and pulls.
+    /// Energy of contact with what [`Band::look`] found.
+    pub(super) fn touching(&self, near: &mut Room<R>) -> f64 {
+        near.stored(&self.ribbon).wide()
+    }
+
+    /// Kinetic energy; bending, weight above the world's origin, and pulls.
     fn energy(&mut self) -> Energy {
-        let ground = self.ground;
         let at = self.ribbon.origin();
         let gravity = self.ribbon.gravity;
         let weight = V3(gravity.map(R::of));
@@ -192,7 +210,7 @@ impl<R: Real> Band<R> {
         let lift: f64 = (0..3).map(|i| gravity[i] * at[i]).sum();
         potential -= lift * strip.cell_mass().wide() * strip.n as f64;
         for (j, pair) in pairs.iter().enumerate() {
-            potential += (ground.energy(j, pair) + ask.energy(j, pair)).wide();
+            potential += ask.energy(j, pair).wide();
         }
         Energy { kinetic, potential }
     }

@@ -1,6 +1,6 @@
 //! Ribbons as a scene, alone or beside a book or a leaf.
 
-use super::band::Band;
+use super::band::{Band, Room, room};
 use super::{Energy, Pose, Recording, Sim, Strain};
 use crate::error::CliError;
 use crate::picture::Shot;
@@ -21,6 +21,8 @@ struct Ribbons<R: Real> {
     /// The book or the leaf.
     beside: Option<Box<dyn Sim>>,
     bands: Vec<Band<R>>,
+    /// Where one of them touches anything.
+    near: Option<Box<Room<R>>>,
     step_us: u32,
     now_us: u64,
     moved_us: u64,
@@ -32,27 +34,12 @@ pub(super) fn build<R: Real>(
     beside: Option<Box<dyn Sim>>,
     fidelity: Fidelity,
 ) -> Result<Box<dyn Sim>, CliError> {
-    let settings = settings::<R>(fidelity);
+    let settings = Settings::of::<R>(fidelity);
     let band = |part| Band::<R>::lay(part, &scene.world, &settings);
     let bands: Result<Vec<_>, CliError> = scene.ribbons.iter().map(band).collect();
-    let step_us = scene.world.step_us;
-    Ok(Box::new(Ribbons { beside, bands: bands?, step_us, now_us: 0, moved_us: 0 }))
-}
-
-/// What a step is allowed; single precision does not see steps below a ten-thousandth.
-fn settings<R: Real>(fidelity: Fidelity) -> Settings {
-    let finest = if R::EPSILON > 1e-10 { 1e-4 } else { 0.0 };
-    let of = |iterations, tolerance: f64| Settings {
-        iterations,
-        tolerance: tolerance.max(finest),
-        ..Settings::STEP
-    };
-    match fidelity {
-        Fidelity::Draft => of(15, 1e-3),
-        Fidelity::Standard => Settings::STEP,
-        Fidelity::Fine => of(120, 1e-6),
-        Fidelity::Reference => of(1_000, 1e-9),
-    }
+    let (bands, step_us) = (bands?, scene.world.step_us);
+    let near = bands.iter().any(|band| band.contact).then(room);
+    Ok(Box::new(Ribbons { beside, bands, near, step_us, now_us: 0, moved_us: 0 }))
 }
 
 impl<R: Real> Sim for Ribbons<R> {
@@ -64,8 +51,12 @@ impl<R: Real> Sim for Ribbons<R> {
         let alone = || StepReport { steps: 1, ..StepReport::default() };
         let mut report = self.beside.as_mut().map_or_else(alone, |sim| sim.step());
         self.now_us += u64::from(self.step_us);
-        for band in &mut self.bands {
-            report.status = report.status.worse(band.step(self.now_us, self.step_us));
+        for k in 0..self.bands.len() {
+            // One after the other, each against the others where they are by then.
+            look(self.near.as_deref_mut(), &self.bands, k, self.step_us, |_| true);
+            let band = &mut self.bands[k];
+            let near = self.near.as_deref_mut().filter(|_| band.contact);
+            report.status = report.status.worse(band.step(self.now_us, self.step_us, near));
         }
         let moving = |band: &Band<R>| band.fastest() > STILL || band.turning(self.now_us);
         if self.bands.iter().any(moving) {
@@ -87,9 +78,14 @@ impl<R: Real> Sim for Ribbons<R> {
         let mut hash = Fnv::default();
         hash.word(u64::from_str_radix(&pose.hash, 16).unwrap_or(0));
         let mut stretch = pose.stretch;
-        for band in &mut self.bands {
+        for k in 0..self.bands.len() {
+            // Each meeting of two is told of once.
+            look(self.near.as_deref_mut(), &self.bands, k, 0, |other| other < k);
+            let band = &mut self.bands[k];
+            let near = self.near.as_deref_mut().filter(|_| band.contact);
+            let touching = near.map_or(0.0, |near| band.touching(near));
             hash.word(band.hash());
-            let rims = band.rims();
+            let rims = band.rims(touching);
             pose.energy = pose.energy.and(rims.energy);
             stretch.max = stretch.max.max(rims.stretch.max);
             stretch.rms = stretch.rms.max(rims.stretch.rms);
@@ -116,8 +112,22 @@ impl<R: Real> Sim for Ribbons<R> {
 
     fn bytes(&self) -> usize {
         let own: usize = self.bands.iter().map(Band::bytes).sum();
-        own + self.beside.as_ref().map_or(0, |sim| sim.bytes())
+        let near = self.near.as_deref().map_or(0, size_of_val);
+        own + near + self.beside.as_ref().map_or(0, |sim| sim.bytes())
     }
+}
+
+/// Finds what is near a band that touches anything, among those of the others that are wanted.
+fn look<R: Real>(
+    near: Option<&mut Room<R>>,
+    bands: &[Band<R>],
+    k: usize,
+    step_us: u32,
+    wanted: impl Fn(usize) -> bool,
+) {
+    let Some(near) = near.filter(|_| bands[k].contact) else { return };
+    let others = bands.iter().enumerate().filter(|(other, _)| *other != k && wanted(*other));
+    bands[k].look(near, step_us, others.map(|(_, band)| band));
 }
 
 /// What is seen of no body.

@@ -68,13 +68,30 @@ pub fn step_all<R: Real, S: Surface<R>, const N: usize, const O: usize, const K:
     h: f64,
     near: &mut Near<R, S, N, O, K>,
 ) -> Summary<R> {
+    step_each(ribbons, h, near, |_, ribbon, near, _| ribbon.step_touching(h, &(), near))
+}
+
+/// [`step_all`] with a step of the caller's: it gets a ribbon's number, the ribbon, what is near it, and the ribbons before
+/// and after it, in which order they were added to that.
+pub fn step_each<R: Real, S: Surface<R>, const N: usize, const O: usize, const K: usize>(
+    ribbons: &mut [Ribbon<R, N>],
+    h: f64,
+    near: &mut Near<R, S, N, O, K>,
+    mut step: impl FnMut(
+        usize,
+        &mut Ribbon<R, N>,
+        &mut Near<R, S, N, O, K>,
+        [&[Ribbon<R, N>]; 2],
+    ) -> Report<R>,
+) -> Summary<R> {
     let mut summary = Summary { gap: R::ZERO, ..Summary::default() };
     for i in 0..ribbons.len() {
         let Some((before, rest)) = ribbons.split_at_mut_checked(i) else { break };
         let Some((ribbon, after)) = rest.split_first_mut() else { break };
         near.begin(ribbon, h);
         before.iter().chain(after.iter()).for_each(|o| near.add(o));
-        let report = if near.full() { ribbon.hold() } else { ribbon.step_touching(h, &(), near) };
+        let report =
+            if near.full() { ribbon.hold() } else { step(i, ribbon, near, [before, after]) };
         summary.take(&report, &near.counts);
     }
     summary

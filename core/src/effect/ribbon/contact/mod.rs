@@ -29,7 +29,7 @@ pub mod press;
 pub mod crowd;
 pub mod post;
 
-pub use crowd::{Summary, step_all};
+pub use crowd::{Summary, step_all, step_each};
 pub use near::{Counts, Near};
 pub use post::{Post, PostReport};
 pub use push::Cushion;

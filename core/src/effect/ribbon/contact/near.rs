@@ -69,7 +69,10 @@ pub struct Near<R, S, const N: usize, const O: usize, const K: usize> {
     boxes: [Bounds<R>; N],
     whole: Bounds<R>,
     origin: [f64; 3],
-    pub(super) others: Vec<(Quad<R>, Parts), O>,
+    /// How many ribbons were added.
+    added: u16,
+    /// Segments of others: where they are, what they have for themselves, and of which ribbon they are which segment.
+    pub(super) others: Vec<(Quad<R>, Parts, [u16; 2]), O>,
     pub(super) pairs: Vec<Pairing, K>,
     pub(super) pushes: Vec<(Push<R>, u16), K>,
     pub(super) heads: [u16; N],
@@ -93,6 +96,7 @@ impl<R: Real, S: Surface<R>, const N: usize, const O: usize, const K: usize> Nea
             boxes: [none; N],
             whole: none,
             origin: [0.0; 3],
+            added: 0,
             others: Vec::new(),
             pairs: Vec::new(),
             pushes: Vec::new(),
@@ -109,6 +113,7 @@ impl<R: Real, S: Surface<R>, const N: usize, const O: usize, const K: usize> Nea
         (self.counts, self.full, self.n) =
             (Counts::default(), false, ribbon.spec().segments.min(N));
         (self.looped, self.origin) = (ribbon.posed().looped(), ribbon.origin());
+        self.added = 0;
         self.others.clear();
         self.pairs.clear();
         self.pushes.clear();
@@ -166,12 +171,14 @@ impl<R: Real, S: Surface<R>, const N: usize, const O: usize, const K: usize> Nea
             let quad = four(near, far).map(|p| p + shift);
             let bounds = Bounds::of(&quad);
             if bounds.within(&self.whole, margin) {
-                self.take(&quad, Parts::own(k == last), &bounds, margin);
+                let place = [self.added, k as u16];
+                self.take(&(quad, Parts::own(k == last), place), &bounds, margin);
             }
         }
+        self.added = self.added.saturating_add(1);
     }
 
-    fn take(&mut self, quad: &Quad<R>, parts: Parts, bounds: &Bounds<R>, margin: R) {
+    fn take(&mut self, other: &(Quad<R>, Parts, [u16; 2]), bounds: &Bounds<R>, margin: R) {
         let (place, mut found) = (self.others.len(), false);
         for first in (0..self.n).step_by(GROUP) {
             let group = self.boxes.iter().take(self.n).skip(first).take(GROUP);
@@ -185,7 +192,7 @@ impl<R: Real, S: Surface<R>, const N: usize, const O: usize, const K: usize> Nea
                 }
             }
         }
-        if found && self.others.push((*quad, parts)).is_err() {
+        if found && self.others.push(*other).is_err() {
             (self.full, self.counts.crowded) = (true, self.counts.crowded + 1);
         }
         self.counts.others = self.others.len() as u32;

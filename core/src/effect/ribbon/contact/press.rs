@@ -8,7 +8,7 @@ use super::distance::{Bounds, Meeting, Parts, Quad, meetings};
 use super::near::{LAST, Near, Pairing};
 use super::push::{FLOOR, SOLID, barrier};
 use super::surface::Surface;
-use super::touch::{Pose, Push, Touch};
+use super::touch::{By, Pose, Push, Touch, Touched};
 use crate::effect::ribbon::inertia::Four;
 use crate::real::{Real, V3};
 use heapless::Vec;
@@ -66,19 +66,25 @@ impl<R: Real, S: Surface<R>, const N: usize, const O: usize, const K: usize> Nea
     fn creases(&self) -> core::ops::Range<usize> {
         0..self.n + usize::from(!self.looped)
     }
-    fn press_on_surface(&mut self, crease: usize, pose: &Pose<'_, R>) {
+    /// The segment that answers for a crease, and the shares of its two vertices there.
+    fn answering(&self, crease: usize) -> (usize, [Four<R>; 2]) {
         let (o, l) = (R::ZERO, R::of(1.0));
-        let end = crease >= self.n;
-        let shares = if end { [[o, o, l, o], [o, o, o, l]] } else { [[l, o, o, o], [o, l, o, o]] };
+        if crease >= self.n {
+            return (crease - 1, [[o, o, l, o], [o, o, o, l]]);
+        }
+        (crease, [[l, o, o, o], [o, l, o, o]])
+    }
+    fn press_on_surface(&mut self, crease: usize, pose: &Pose<'_, R>) {
+        let (segment, shares) = self.answering(crease);
         for (p, weights) in pose.pair(crease).into_iter().zip(shares) {
             let mut found = Vec::<Push<R>, SOLIDS>::new();
             self.surface.each(p, |d, normal| {
                 let [_, slope, curve] = barrier(&self.cushion, d, SOLID);
-                if curve > o {
+                if curve > R::ZERO {
                     let _ = found.push(Push { weights, normal, slope, curve });
                 }
             });
-            found.into_iter().for_each(|push| self.keep(crease - usize::from(end), push));
+            found.into_iter().for_each(|push| self.keep(segment, push));
         }
     }
     fn press_pair(&mut self, pair: Pairing, pose: &Pose<'_, R>) {
@@ -106,6 +112,15 @@ impl<R: Real, S: Surface<R>, const N: usize, const O: usize, const K: usize> Nea
             Ok(()) => *head = place,
             Err(_) => self.counts.crowded += 1,
         }
+    }
+    /// What a pair's other segment is.
+    fn by(&self, pair: Pairing, weights: Four<R>) -> By<R> {
+        if pair.own {
+            return By::Itself { segment: usize::from(pair.other), weights };
+        }
+        let place = self.others.get(usize::from(pair.other)).map_or([0; 2], |o| o.2);
+        let [ribbon, segment] = place.map(usize::from);
+        By::Other { ribbon, segment, weights }
     }
     /// Where a crease was before the step.
     fn set_out(&self, crease: usize) -> [V3<R>; 2] {
@@ -201,5 +216,24 @@ impl<R: Real, S: Surface<R>, const N: usize, const O: usize, const K: usize> Tou
         }
         self.counts.limited += u32::from(share < R::of(1.0));
         share
+    }
+    fn touched(&self, pose: &Pose<'_, R>, mut take: impl FnMut(&Touched<R>)) {
+        let reach = R::of(self.cushion.reach_m);
+        for crease in self.creases() {
+            let (segment, shares) = self.answering(crease);
+            for (p, weights) in pose.pair(crease).into_iter().zip(shares) {
+                self.surface.each(p, |d, normal| {
+                    if d < reach {
+                        take(&Touched { segment, weights, normal, by: By::Ground });
+                    }
+                });
+            }
+        }
+        for &pair in &self.pairs {
+            self.each(pair, pose, |m, d| {
+                let (segment, normal) = (usize::from(pair.segment), m.way * (R::one() / d));
+                take(&Touched { segment, weights: m.here, normal, by: self.by(pair, m.there) });
+            });
+        }
     }
 }

@@ -29,6 +29,42 @@ pub struct Push<R> {
     pub curve: R,
 }
 
+/// What a segment is touched by.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum By<R> {
+    /// The ground, which stands still.
+    Ground,
+    /// Another segment of the ribbon.
+    Itself {
+        /// Which.
+        segment: usize,
+        /// Shares of its vertices.
+        weights: Four<R>,
+    },
+    /// Another ribbon.
+    Other {
+        /// How many others were added before it.
+        ribbon: usize,
+        /// Its segment.
+        segment: usize,
+        /// Shares of that one's vertices.
+        weights: Four<R>,
+    },
+}
+
+/// A point of a segment that something touches.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Touched<R> {
+    /// The segment.
+    pub segment: usize,
+    /// Shares of its vertices.
+    pub weights: Four<R>,
+    /// Unit direction away from what touches.
+    pub normal: V3<R>,
+    /// What does.
+    pub by: By<R>,
+}
+
 /// Contact of one ribbon, while that is solved for.
 pub trait Touch<R: Real> {
     /// Nothing is asked of what is not active.
@@ -43,6 +79,8 @@ pub trait Touch<R: Real> {
     /// The share of the way from the pose accepted to the pose placed that is free; one if all is. Only `range` of the
     /// way that was searched for things near may be gone.
     fn free(&mut self, pose: &Pose<'_, R>, range: R) -> R;
+    /// Hands over all points that are touched at a pose as placed.
+    fn touched(&self, _: &Pose<'_, R>, _: impl FnMut(&Touched<R>)) {}
 }
 
 /// Nothing is near.
