@@ -37,7 +37,7 @@ impl Settings {
             ..Self::STEP
         };
         let asked = match fidelity {
-            Fidelity::Draft => dial(15, 1e-2, 1e-4, 1e-7),
+            Fidelity::Draft => dial(15, 1e-3, 1e-4, 1e-7),
             Fidelity::Standard => Self::STEP,
             Fidelity::Fine => dial(200, 1e-6, 1e-9, 1e-11),
             Fidelity::Reference => Self::EXACT,
