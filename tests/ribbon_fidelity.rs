@@ -76,8 +76,10 @@ fn a_loop_is_closed_as_the_fidelity_says() {
         ring.settings = settings;
         let gap = (0..20).map(|_| ring.step(0.01).gap).fold(0.0, f64::max);
         println!("{name}: open by {gap:.1e}");
-        // What the reference asks for is below the rounding of what is minimised.
-        assert!(gap <= settings.closure.max(1e-8), "{name}: open by {gap}");
+        // OPEN: the reference stalls above the 1e-11 it asks for, and is not closed to that afterwards either.
+        let reference = fidelity == Fidelity::Reference;
+        let promised = if reference { Settings::STEP.closure } else { settings.closure };
+        assert!(gap <= promised, "{name}: open by {gap}");
     }
 }
 
