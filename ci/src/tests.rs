@@ -39,7 +39,7 @@ const DEBUGGED: [&str; 6] = [
     PROMISED,
     "dogleaf-eink",
     "dogleaf-eink-reader",
-    "dogleaf-eink-soft",
+    "dogleaf-soft",
     "dogleaf-ci",
 ];
 
