@@ -34,14 +34,8 @@ const SWIFT: [&str; 2] = ["--profile", "swift"];
 
 /// What is tested in debug too: the numbers, and what every shell shares. The other shells' tests run once, optimised,
 /// with their overflows checked all the same (`profile.swift`).
-const DEBUGGED: [&str; 6] = [
-    "dogleaf-core",
-    PROMISED,
-    "dogleaf-eink",
-    "dogleaf-eink-reader",
-    "dogleaf-soft",
-    "dogleaf-ci",
-];
+const DEBUGGED: [&str; 6] =
+    ["dogleaf-core", PROMISED, "dogleaf-eink", "dogleaf-eink-reader", "dogleaf-soft", "dogleaf-ci"];
 
 /// Everything, unless the caller names packages: then only those.
 fn calls(release: bool, rest: &[String]) -> Vec<Command> {
