@@ -113,12 +113,23 @@ export async function spot(page, across, down) {
     }, [across, down]);
 }
 
+/** Time between two moves, ms: no hand is as quick as a quick machine. */
+const PACE = 16;
+
+/** Moves the mouse from one place of the page to another at a hand's pace. */
+export async function glide(page, from, to, steps) {
+    for (let n = 1; n <= steps; n += 1) {
+        await page.mouse.move(from[0] + ((to[0] - from[0]) * n) / steps, from[1] + ((to[1] - from[1]) * n) / steps);
+        await page.waitForTimeout(PACE);
+    }
+}
+
 /** Drags the mouse along places on the book; `held` is called before it lets go. */
 export async function drag(page, places, { steps = 12, held = async () => {} } = {}) {
-    const [first, ...rest] = await Promise.all(places.map(([x, y]) => spot(page, x, y)));
-    await page.mouse.move(...first);
+    const all = await Promise.all(places.map(([x, y]) => spot(page, x, y)));
+    await page.mouse.move(...all[0]);
     await page.mouse.down();
-    for (const place of rest) await page.mouse.move(...place, { steps });
+    for (let k = 1; k < all.length; k += 1) await glide(page, all[k - 1], all[k], steps);
     await held();
     await page.mouse.up();
 }

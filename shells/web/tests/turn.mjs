@@ -2,7 +2,7 @@
 import { execFileSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { drag, holds, spot, still } from "./harness.mjs";
+import { drag, glide, holds, spot, still } from "./harness.mjs";
 
 const OVER = [[0.9, 0.75], [0.6, 0.6], [0.1, 0.4], [-0.6, 0.6]];
 
@@ -24,6 +24,8 @@ export default async function run(bench) {
     await bench.test("a dragged page turns, and is announced", async () => {
         const before = await page.evaluate(() => reader.where());
         await page.keyboard.press("a");
+        await page.waitForTimeout(400);
+        await still(page);
         await drag(page, OVER, { steps: 8 });
         await still(page);
         const after = await page.evaluate(() => [reader.where(), document.getElementById("announce").textContent, document.getElementById("where").textContent]);
@@ -60,9 +62,10 @@ export default async function run(bench) {
     await bench.test("with a leaf in hand the wheel takes more behind it", async () => {
         await page.keyboard.press("a");
         await still(page);
-        await page.mouse.move(...(await spot(page, 0.9, 0.75)));
+        const [from, to] = [await spot(page, 0.9, 0.75), await spot(page, 0.4, 0.5)];
+        await page.mouse.move(...from);
         await page.mouse.down();
-        await page.mouse.move(...(await spot(page, 0.4, 0.5)), { steps: 6 });
+        await glide(page, from, to, 6);
         await page.keyboard.down("Shift");
         await page.mouse.wheel(0, 100);
         await page.waitForFunction(() => reader.book.held === 2, undefined, { timeout: 20_000 });
