@@ -54,14 +54,14 @@ fn a_short_chain_falls() {
 }
 
 #[test]
-#[ignore = "minutes"]
+#[cfg_attr(debug_assertions, ignore = "minutes")]
 fn nine_bands_fall() {
     let left = play("Moebius chain", chain(Closure::Moebius, 9, [0.0, 0.0, 0.4], X), 300);
     assert!(left < 1e-3, "it comes to lie: {left}");
 }
 
 #[test]
-#[ignore = "minutes"]
+#[cfg_attr(debug_assertions, ignore = "minutes")]
 fn two_chains_of_nine_fall_on_each_other() {
     let mut both = chain(Closure::Ring, 9, [-0.92, 0.0, 0.3], X);
     both.extend(chain(Closure::Ring, 9, [0.1, -0.92, 0.8], Y));
