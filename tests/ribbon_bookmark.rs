@@ -133,6 +133,9 @@ fn goes_with_the_leaves<R: Real>() {
     lie(&book, &mut mark);
     let (hashes, deepest) = play(&mut book, Some(&mut mark), &gesture);
     println!("{}: at most {deepest:.1e} m inside something on the way", R::NAME);
+    // In single precision some steps end early, and the ribbon lags behind the leaf that pushes it.
+    let lag = if R::EPSILON > 1e-10 { 8e-3 } else { 1e-3 };
+    assert!(deepest <= lag, "{}: {deepest} m inside something", R::NAME);
     assert_eq!(Layer::of(&book, place), Layer::Block(0), "the leaf came to lie on it");
     assert!((0..40).filter(|&j| mark.hidden(j)).count() > 20, "most of it is between leaves");
     assert!(!mark.needs_frame(), "it sleeps with the book");
