@@ -186,6 +186,7 @@ fn ended(status: Status) -> u64 {
         Status::Capped => 1,
         Status::Stalled => 2,
         Status::Held => 3,
+        Status::Open => 4,
     }
 }
 

@@ -53,6 +53,8 @@ pub enum Status {
     Stalled,
     /// Something was not a number; the last good state was kept, at rest.
     Held,
+    /// A loop could not be closed: contact or rulings at their bounds are in the way. The best point is kept.
+    Open,
 }
 
 /// Counts of one solve.

@@ -118,7 +118,7 @@ impl<R: Real> Band<R> {
         self.bends += 1;
         match report.status {
             Status::Converged => StepStatus::Converged,
-            Status::Capped | Status::Stalled => StepStatus::Reduced,
+            Status::Capped | Status::Stalled | Status::Open => StepStatus::Reduced,
             Status::Held => StepStatus::Held,
         }
     }
@@ -283,10 +283,11 @@ fn rank(status: Status) -> u8 {
         Status::Converged => 0,
         Status::Capped => 1,
         Status::Stalled => 2,
-        Status::Held => 3,
+        Status::Open => 3,
+        Status::Held => 4,
     }
 }
 
 fn name(status: Status) -> &'static str {
-    ["converged", "capped", "stalled", "held"][usize::from(rank(status))]
+    ["converged", "capped", "stalled", "open", "held"][usize::from(rank(status))]
 }

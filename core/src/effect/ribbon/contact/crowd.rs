@@ -22,6 +22,8 @@ pub struct Summary<R> {
     pub stalled: u32,
     /// That were held where they were.
     pub held: u32,
+    /// Loops that could not be closed.
+    pub open: u32,
     /// Newton iterations of all.
     pub iterations: u32,
     /// Trials of all that a contact on the way shortened.
@@ -44,6 +46,7 @@ impl<R: Real> Summary<R> {
             Status::Capped => self.capped += 1,
             Status::Stalled => self.stalled += 1,
             Status::Held => self.held += 1,
+            Status::Open => self.open += 1,
         }
         self.iterations += report.iterations;
         self.limited += counts.limited;

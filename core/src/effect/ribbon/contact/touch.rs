@@ -143,22 +143,32 @@ pub fn stiffen<R: Real>(
     along: V3<R>,
     model: &mut Model<R>,
 ) {
-    touch.pushes(segment, |p| {
-        let [a, b, c, d] = p.weights;
-        let at = x[0] * a + x[1] * b + x[2] * c + x[3] * d;
-        let row = six(at.cross(p.normal), p.normal);
-        let slide = along.dot(p.normal) * strip.half;
-        let (near, far) = (slide * (b - a), slide * (d - c));
-        for (i, &r) in row.iter().enumerate() {
-            let r = r * p.curve;
-            for (k, &q) in row.iter().enumerate() {
-                model.xx[i][k] += r * q;
-            }
-            model.xc[0][i] += r * near;
-            model.xc[1][i] += r * far;
+    touch.pushes(segment, |p| stiffen_by(p, x, strip, along, model));
+}
+
+/// Adds the curvature of one push.
+#[inline(always)]
+pub fn stiffen_by<R: Real>(
+    p: &Push<R>,
+    x: &Four<V3<R>>,
+    strip: &Strip<R>,
+    along: V3<R>,
+    model: &mut Model<R>,
+) {
+    let [a, b, c, d] = p.weights;
+    let at = x[0] * a + x[1] * b + x[2] * c + x[3] * d;
+    let row = six(at.cross(p.normal), p.normal);
+    let slide = along.dot(p.normal) * strip.half;
+    let (near, far) = (slide * (b - a), slide * (d - c));
+    for (i, &r) in row.iter().enumerate() {
+        let r = r * p.curve;
+        for (k, &q) in row.iter().enumerate() {
+            model.xx[i][k] += r * q;
         }
-        model.cc[0] += p.curve * near * near;
-        model.cc[1] += p.curve * near * far;
-        model.cc[2] += p.curve * far * far;
-    });
+        model.xc[0][i] += r * near;
+        model.xc[1][i] += r * far;
+    }
+    model.cc[0] += p.curve * near * near;
+    model.cc[1] += p.curve * near * far;
+    model.cc[2] += p.curve * far * far;
 }
