@@ -16,4 +16,5 @@ mod ribbon_post;
 mod ribbon_record;
 mod ribbon_soak;
 mod ribbon_statics;
+mod ribbon_traps;
 mod tally;
