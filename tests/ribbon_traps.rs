@@ -160,7 +160,7 @@ fn who_says_converged_is_closed() {
     for closure in [Closure::Ring, Closure::Moebius] {
         for stiffness in [0.0, 30.0, 300.0] {
             let mut ribbon = pulled::<f64, 50>(50, closure, stiffness);
-            for _ in 0..10 {
+            for _ in 0..40 {
                 let mut open = 0.0;
                 let report = ribbon.step_watched(0.01, &(), |_, gap| open = gap);
                 if report.status == Status::Converged {

@@ -173,10 +173,6 @@ fn what_cannot_be_is_refused_in_one_line() {
         let (error, code) = refused(&["run", &scene]);
         assert!(error.contains(wanted) && code == 2, "{error}\nshould say\n{wanted}");
     }
-    let recording = arg(&here, "r.dlr");
-    let helix = fixture("scenes/ribbon_helix_001.toml");
-    let (error, _) = refused(&["run", &helix, "--frames", "2", "--record", &recording]);
-    assert!(error.contains("this scene has ribbons"), "{error}");
 }
 
 #[test]
@@ -190,6 +186,28 @@ fn what_falls_on_a_floor_stays_above_it() {
     assert!(lines[1..].iter().all(|l| lowest(l) > 0.0), "nothing is below the floor");
     let last = lines.last().expect("frames");
     assert!(lowest(last) < 2e-3, "it is down, as near as its cushion lets it");
+    // Half a metre takes 0.32 s and ends at 3.1 m/s.
+    let touches: Vec<(f64, &Value)> = lines[1..]
+        .iter()
+        .flat_map(|l| {
+            let events = l["events"].as_array().expect("events");
+            events.iter().map(|e| (l["time_s"].as_f64().expect("seconds"), e))
+        })
+        .filter(|(_, e)| e["event"] == "touched")
+        .collect();
+    let (time, first) = touches.first().expect("its fall is heard");
+    let speed = first["m_per_s"].as_f64().expect("a speed");
+    assert!((0.25..0.4).contains(time) && (2.0..4.0).contains(&speed), "{time} s: {first}");
+    assert!(first["ribbon"] == 0 && first["vertices"].as_u64() > Some(0), "{first}");
+}
+
+#[test]
+fn a_ribbon_that_is_pulled_by_nothing_is_not_heard() {
+    let lines = run_lines(&[&fixture("scenes/ribbon_droop_gamma_10.toml"), "--frames", "5"]);
+    let touched = |l: &Value| {
+        l["events"].as_array().is_some_and(|e| e.iter().any(|e| e["event"] == "touched"))
+    };
+    assert!(!lines[1..].iter().any(touched), "nothing to touch");
 }
 
 #[test]

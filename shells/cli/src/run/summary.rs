@@ -27,7 +27,7 @@ impl Summary {
         self.time_s = frame.time_s;
         self.total.add(frame.report);
         self.stretch_max = self.stretch_max.max(frame.pose.stretch.max);
-        self.events.extend(frame.pose.events.iter().map(|e| told(e, frame.time_s)));
+        self.events.extend(frame.pose.events.iter().filter_map(|e| told(e, frame.time_s)));
         self.free_edge = frame.pose.leaf.as_ref().and_then(|leaf| {
             let edge = leaf.nodes.get(leaf.nodes.len().checked_sub(leaf.nz)?..)?;
             let mean = |c: usize| edge.iter().map(|p| p[c]).sum::<f64>() / edge.len() as f64;
@@ -37,7 +37,19 @@ impl Summary {
         for (told, rims) in self.ribbons.iter_mut().zip(&frame.pose.ribbons) {
             told.take(rims);
         }
+        for event in &frame.pose.events {
+            self.hear(event);
+        }
         self.hash.clone_from(&frame.pose.hash);
+    }
+
+    fn hear(&mut self, event: &EventName) {
+        let (EventName::Touched { ribbon, .. } | EventName::Snapped { ribbon, .. }) = event else {
+            return;
+        };
+        if let Some(told) = self.ribbons.get_mut(*ribbon) {
+            told.heard.take(event);
+        }
     }
 
     pub(super) fn print(
@@ -94,6 +106,44 @@ struct Told {
     gap: Option<f64>,
     energy: f64,
     end: [f64; 3],
+    heard: Heard,
+}
+
+/// What a ribbon sounded like.
+#[derive(Debug, Clone, Default)]
+struct Heard {
+    touches: u32,
+    fastest: f64,
+    snaps: u32,
+    strongest: f64,
+}
+
+impl Heard {
+    fn take(&mut self, event: &EventName) {
+        match event {
+            EventName::Touched { vertices, m_per_s, .. } => {
+                self.touches += vertices;
+                self.fastest = self.fastest.max(*m_per_s);
+            }
+            EventName::Snapped { joules, .. } => {
+                self.snaps += 1;
+                self.strongest = self.strongest.max(*joules);
+            }
+            _ => {}
+        }
+    }
+
+    fn line(&self, out: &mut impl Write) -> std::io::Result<()> {
+        let Self { touches, fastest, snaps, strongest } = self;
+        if touches + snaps == 0 {
+            return Ok(());
+        }
+        writeln!(
+            out,
+            "           {touches} vertices heard to touch, at {fastest:.3} m/s at most; {snaps} steps that snap, {:.3} mJ at most",
+            1e3 * strongest
+        )
+    }
 }
 
 impl Told {
@@ -116,12 +166,13 @@ impl Told {
             "ribbon {number:<3} {} steps, {} Newton steps, {} factorisations, {} trials; {} frames short of converged{closed}",
             w.steps, w.newton_steps, w.factorisations, w.trials, self.short
         )?;
-        writeln!(out, "           ends at {x:.2}, {y:.2}, {z:.2} mm; {:.6} J", self.energy)
+        writeln!(out, "           ends at {x:.2}, {y:.2}, {z:.2} mm; {:.6} J", self.energy)?;
+        self.heard.line(out)
     }
 }
 
-fn told(event: &EventName, time_s: f64) -> String {
-    match event {
+fn told(event: &EventName, time_s: f64) -> Option<String> {
+    Some(match event {
         EventName::Lifted { from_right, leaves } => {
             let side = if *from_right { "right" } else { "left" };
             let noun = if *leaves == 1 { "leaf" } else { "leaves" };
@@ -131,5 +182,7 @@ fn told(event: &EventName, time_s: f64) -> String {
         EventName::Committed { page } => format!("{time_s:.3} s: turned, open at page {page}"),
         EventName::Cancelled => format!("{time_s:.3} s: put back"),
         EventName::Asleep => format!("{time_s:.3} s: at rest"),
-    }
+        // Told with their ribbons, in sum.
+        EventName::Touched { .. } | EventName::Snapped { .. } => return None,
+    })
 }

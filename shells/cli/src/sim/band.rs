@@ -1,17 +1,21 @@
 //! One ribbon of a scene: laid as asked, stepped, told in SI.
 
-use super::{Energy, RibbonWork, Rims, Strain};
+use super::strands::Strand;
+use super::{Bytes, Energy, EventName, RibbonWork, Rims, Strain};
 use crate::error::CliError;
 use crate::picture::{BandShot, band_shot};
 use crate::scene::{Fabric, MOST_SEGMENTS, RibbonPart, Start, Twist};
 use dogleaf_core::effect::ribbon::contact::{Cushion, HalfSpace, Near, Surface};
+use dogleaf_core::effect::ribbon::event::{Ear, Sound};
 use dogleaf_core::effect::ribbon::frame::Frame;
 use dogleaf_core::effect::ribbon::joint::Crease;
+use dogleaf_core::effect::ribbon::record::Recorder;
 use dogleaf_core::effect::ribbon::resample::Pair;
 use dogleaf_core::effect::ribbon::{
     Closure, Guide, Loads, Report, Ribbon, RibbonSpec, Settings, Spring, Status, bending,
 };
 use dogleaf_core::real::{Real, V3};
+use dogleaf_core::record::RecordError;
 use dogleaf_core::scene::WorldSpec;
 use dogleaf_core::step::StepStatus;
 
@@ -28,11 +32,29 @@ pub(super) struct Band<R: Real> {
     /// Work since it was last told, and how the worst solve ended.
     work: Report<R>,
     bends: u32,
+    ear: Box<Ear<R, MOST_SEGMENTS>>,
+    recorder: Option<Recorder<Bytes, R>>,
+    /// The recorder took everything so far.
+    complete: bool,
+}
+
+/// What a step came to, and what it sounds like.
+pub(super) struct Stepped<R> {
+    pub(super) status: StepStatus,
+    pub(super) sound: Sound<R>,
 }
 
 /// A floor, where there is one.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Floor<R>(Option<HalfSpace<R>>);
+pub(super) struct Floor<R>(pub(super) Option<HalfSpace<R>>);
+
+impl<R: Real> Floor<R> {
+    /// At a height in the ribbon's own coordinates.
+    pub(super) fn at(height: f64) -> Self {
+        let up = V3([0.0, 1.0, 0.0].map(R::of));
+        Self(Some(HalfSpace { point: up * R::of(height), normal: up }))
+    }
+}
 
 impl<R: Real> Surface<R> for Floor<R> {
     fn above(&self, p: V3<R>) -> (R, V3<R>) {
@@ -74,13 +96,23 @@ impl<R: Real> Band<R> {
             // The scene has counted them.
             let _ = ribbon.ask.springs.push(spring);
         }
-        let up = V3([0.0, 1.0, 0.0].map(R::of));
-        let plane =
-            |height: f64| HalfSpace { point: up * R::of(height - part.at_m[1]), normal: up };
-        let floor = Floor(part.floor_m.map(plane));
+        let own = |height: f64| Floor::at(height - part.at_m[1]);
+        let floor = part.floor_m.map_or(Floor(None), own);
         let (twist, fabric) = (part.twist, part.fabric);
         let contact = part.contact;
-        Ok(Self { ribbon, base, twist, floor, contact, fabric, work: Report::NONE, bends: 0 })
+        Ok(Self {
+            ribbon,
+            base,
+            twist,
+            floor,
+            contact,
+            fabric,
+            work: Report::NONE,
+            bends: 0,
+            ear: Box::new(Ear::NEW),
+            recorder: None,
+            complete: true,
+        })
     }
 
     /// Finds what is near it within a step.
@@ -95,19 +127,31 @@ impl<R: Real> Band<R> {
         others.filter(|o| o.contact).for_each(|o| near.add(&o.ribbon));
     }
 
-    /// One step; `now_us` is the time at its end, `near` what it could meet.
+    /// One step; `now_us` is the time at its end, `near` what it could meet of the bands before and after it.
     pub(super) fn step(
         &mut self,
         now_us: u64,
         step_us: u32,
         near: Option<&mut Room<R>>,
-    ) -> StepStatus {
+        others: [&[Self]; 2],
+    ) -> Stepped<R> {
         self.turn_end(now_us as f64 * 1e-6);
         let h = f64::from(step_us) * 1e-6;
-        let report = match near {
-            Some(near) if near.full() => self.ribbon.hold(),
-            Some(near) => self.ribbon.step_touching(h, &(), near),
-            None => self.ribbon.step(h),
+        self.ear.before(&self.ribbon);
+        let (report, sound) = match near {
+            Some(near) => {
+                let report = self.taken(h, |ribbon, h| bent(ribbon, h, near));
+                let other = |k: usize, segment: usize| {
+                    let mut known = others.into_iter().flatten().filter(|o| o.contact);
+                    known.nth(k).map_or([V3([R::ZERO; 3]); 4], |o| o.speeds(segment))
+                };
+                (report, self.ear.after(&self.ribbon, h, &report, near, other))
+            }
+            None => {
+                let report = self.taken(h, |ribbon, h| ribbon.step(h));
+                let none = |_, _| [V3([R::ZERO; 3]); 4];
+                (report, self.ear.after(&self.ribbon, h, &report, &(), none))
+            }
         };
         let worst = if rank(report.status) < rank(self.work.status) && self.bends > 0 {
             self.work.status
@@ -116,11 +160,45 @@ impl<R: Real> Band<R> {
         };
         self.work = Report { status: worst, ..report.after(&self.work) };
         self.bends += 1;
-        match report.status {
+        let status = match report.status {
             Status::Converged => StepStatus::Converged,
             Status::Capped | Status::Stalled | Status::Open => StepStatus::Reduced,
             Status::Held => StepStatus::Held,
-        }
+        };
+        Stepped { status, sound }
+    }
+
+    /// A step, through the recorder where there is one.
+    fn taken(
+        &mut self,
+        h: f64,
+        step: impl FnOnce(&mut Ribbon<R, MOST_SEGMENTS>, f64) -> Report<R>,
+    ) -> Report<R> {
+        let Some(recorder) = &mut self.recorder else { return step(&mut self.ribbon, h) };
+        let (report, done) = recorder.step(&mut self.ribbon, h, step);
+        self.complete &= done.is_ok();
+        report
+    }
+
+    /// Velocities of a segment's vertices.
+    fn speeds(&self, segment: usize) -> [V3<R>; 4] {
+        let mut pairs = self.ribbon.velocities_now().skip(segment);
+        let none = [V3([R::ZERO; 3]); 2];
+        let ([a, b], [c, d]) = (pairs.next().unwrap_or(none), pairs.next().unwrap_or(none));
+        [a, b, c, d]
+    }
+
+    /// Keeps a recording from now on.
+    pub(super) fn record(&mut self) -> Result<(), RecordError> {
+        self.recorder = Some(Recorder::start(Bytes::default(), &mut self.ribbon)?);
+        Ok(())
+    }
+
+    /// What a recording kept, whether it is all, and what the ribbon could touch.
+    pub(super) fn recording(&mut self) -> Result<(Strand, bool), RecordError> {
+        let bytes = self.recorder.take().map_or(Ok(Bytes::default()), Recorder::finish)?.0;
+        let floor = self.floor.0.map(|plane| plane.point.0[1].wide());
+        Ok((Strand { bytes, contact: self.contact, floor }, self.complete))
     }
 
     fn turn_end(&mut self, now_s: f64) {
@@ -221,6 +299,23 @@ impl<R: Real> Band<R> {
         let rims: Vec<_> = self.ribbon.pairs().map(|p| p.map(|v| world(v, at))).collect();
         band_shot(&rims, self.fabric)
     }
+}
+
+/// A step against what is near; where that is more than has room, none.
+pub(super) fn bent<R: Real>(
+    ribbon: &mut Ribbon<R, MOST_SEGMENTS>,
+    h: f64,
+    near: &mut Room<R>,
+) -> Report<R> {
+    if near.full() { ribbon.hold() } else { ribbon.step_touching(h, &(), near) }
+}
+
+/// What a step of the ribbon of such a number sounds like, event by event.
+pub(super) fn heard<R: Real>(ribbon: usize, sound: &Sound<R>) -> impl Iterator<Item = EventName> {
+    let (vertices, m_per_s, joules) = (sound.touches, sound.speed.wide(), sound.snap.wide());
+    let touched = (vertices > 0).then_some(EventName::Touched { ribbon, vertices, m_per_s });
+    let snapped = (joules > 0.0).then_some(EventName::Snapped { ribbon, joules });
+    touched.into_iter().chain(snapped)
 }
 
 /// The shape it begins in.

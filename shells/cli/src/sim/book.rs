@@ -1,6 +1,6 @@
 //! A book as a scene.
 
-use super::{Energy, LeafNodes, Pose, Recording, Sim};
+use super::{Bytes, Energy, LeafNodes, Pose, Recording, Sim};
 use crate::error::CliError;
 use crate::picture::{Shot, book_indices, book_shot};
 use crate::scene::Scene;
@@ -8,7 +8,7 @@ use dogleaf_core::Book;
 use dogleaf_core::grid::Grid;
 use dogleaf_core::hand::Sample;
 use dogleaf_core::real::{Real, V2};
-use dogleaf_core::record::{RecordError, Recorder, Setup, Sink};
+use dogleaf_core::record::{Recorder, Setup};
 use dogleaf_core::scene::{BookSpec, Fidelity, Formulation, Handling};
 use dogleaf_core::step::StepReport;
 use std::sync::Arc;
@@ -20,17 +20,6 @@ struct BookSim<R: Real, G: Grid> {
     recorder: Option<Recorder<Bytes>>,
     /// The recorder took everything so far.
     complete: bool,
-}
-
-/// A recording in memory.
-#[derive(Debug, Default)]
-struct Bytes(Vec<u8>);
-
-impl Sink for Bytes {
-    fn put(&mut self, bytes: &[u8]) -> Result<(), RecordError> {
-        self.0.extend_from_slice(bytes);
-        Ok(())
-    }
 }
 
 /// Opens the book of a scene.

@@ -5,14 +5,17 @@ mod book;
 mod leaf;
 mod pose;
 mod ribbon;
+mod strands;
 
 pub(crate) use pose::{Energy, EventName, LeafNodes, Pose, RibbonWork, Rims, Strain};
+pub(crate) use strands::{Bundle, StrandFound, replay as replay_strands};
 
 use crate::error::CliError;
 use crate::grid::with_grid;
 use crate::picture::Shot;
 use crate::scene::{Body, Scene};
 use dogleaf_core::hand::Sample;
+use dogleaf_core::record::{RecordError, Sink};
 use dogleaf_core::scene::Fidelity;
 use dogleaf_core::step::StepReport;
 
@@ -32,6 +35,17 @@ impl RealName {
             Self::F32 => "f32",
             Self::F64 => "f64",
         }
+    }
+}
+
+/// A recording in memory.
+#[derive(Debug, Default)]
+struct Bytes(Vec<u8>);
+
+impl Sink for Bytes {
+    fn put(&mut self, bytes: &[u8]) -> Result<(), RecordError> {
+        self.0.extend_from_slice(bytes);
+        Ok(())
     }
 }
 

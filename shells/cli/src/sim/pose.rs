@@ -105,14 +105,32 @@ impl Energy {
 }
 
 /// An event by its name.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(tag = "event", rename_all = "lowercase")]
 pub(crate) enum EventName {
-    Lifted { from_right: bool, leaves: u32 },
-    Held { leaves: u32 },
-    Committed { page: u32 },
+    Lifted {
+        from_right: bool,
+        leaves: u32,
+    },
+    Held {
+        leaves: u32,
+    },
+    Committed {
+        page: u32,
+    },
     Cancelled,
     Asleep,
+    /// Vertices of a ribbon met something, the fastest at so much.
+    Touched {
+        ribbon: usize,
+        vertices: u32,
+        m_per_s: f64,
+    },
+    /// A ribbon let go of so much bending at once.
+    Snapped {
+        ribbon: usize,
+        joules: f64,
+    },
 }
 
 impl From<Event> for EventName {

@@ -1,7 +1,8 @@
 //! Ribbons as a scene, alone or beside a book or a leaf.
 
-use super::band::{Band, Room, room};
-use super::{Energy, Pose, Recording, Sim, Strain};
+use super::band::{Band, Room, heard, room};
+use super::strands::{Bundle, Strand};
+use super::{Energy, EventName, Pose, Recording, Sim, Strain};
 use crate::error::CliError;
 use crate::picture::Shot;
 use crate::scene::Scene;
@@ -26,6 +27,8 @@ struct Ribbons<R: Real> {
     step_us: u32,
     now_us: u64,
     moved_us: u64,
+    /// Sounds not yet told.
+    heard: Vec<EventName>,
 }
 
 /// Lays the ribbons of a scene.
@@ -39,7 +42,15 @@ pub(super) fn build<R: Real>(
     let bands: Result<Vec<_>, CliError> = scene.ribbons.iter().map(band).collect();
     let (bands, step_us) = (bands?, scene.world.step_us);
     let near = bands.iter().any(|band| band.contact).then(room);
-    Ok(Box::new(Ribbons { beside, bands, near, step_us, now_us: 0, moved_us: 0 }))
+    Ok(Box::new(Ribbons {
+        beside,
+        bands,
+        near,
+        step_us,
+        now_us: 0,
+        moved_us: 0,
+        heard: Vec::new(),
+    }))
 }
 
 impl<R: Real> Sim for Ribbons<R> {
@@ -54,9 +65,12 @@ impl<R: Real> Sim for Ribbons<R> {
         for k in 0..self.bands.len() {
             // One after the other, each against the others where they are by then.
             look(self.near.as_deref_mut(), &self.bands, k, self.step_us, |_| true);
-            let band = &mut self.bands[k];
+            let Some((before, rest)) = self.bands.split_at_mut_checked(k) else { break };
+            let Some((band, after)) = rest.split_first_mut() else { break };
             let near = self.near.as_deref_mut().filter(|_| band.contact);
-            report.status = report.status.worse(band.step(self.now_us, self.step_us, near));
+            let stepped = band.step(self.now_us, self.step_us, near, [before, after]);
+            report.status = report.status.worse(stepped.status);
+            self.heard.extend(heard(k, &stepped.sound));
         }
         let moving = |band: &Band<R>| band.fastest() > STILL || band.turning(self.now_us);
         if self.bands.iter().any(moving) {
@@ -91,6 +105,7 @@ impl<R: Real> Sim for Ribbons<R> {
             stretch.rms = stretch.rms.max(rims.stretch.rms);
             pose.ribbons.push(rims);
         }
+        pose.events.append(&mut self.heard);
         pose.stretch = stretch;
         pose.hash = format!("{:016x}", hash.value());
         pose
@@ -103,11 +118,29 @@ impl<R: Real> Sim for Ribbons<R> {
     }
 
     fn record(&mut self) -> Result<(), CliError> {
-        Err(CliError::Call("a recording is of a book alone; this scene has ribbons".into()))
+        self.beside.as_mut().map_or(Ok(()), |sim| sim.record())?;
+        Ok(self.bands.iter_mut().try_for_each(Band::record)?)
     }
 
     fn recording(&mut self) -> Result<Recording, CliError> {
-        Ok(Recording::default())
+        let mut complete = true;
+        let body = match &mut self.beside {
+            Some(sim) => {
+                let recording = sim.recording()?;
+                complete &= recording.complete;
+                Some(recording.bytes)
+            }
+            None => None,
+        };
+        let mut strands = Vec::<Strand>::new();
+        for band in &mut self.bands {
+            let (strand, all) = band.recording()?;
+            complete &= all;
+            strands.push(strand);
+        }
+        let bytes = Bundle { step_us: self.step_us, body, strands }.bytes();
+        let steps = u32::try_from(self.now_us / u64::from(self.step_us)).unwrap_or(u32::MAX);
+        Ok(Recording { bytes, steps, complete })
     }
 
     fn bytes(&self) -> usize {

@@ -24,7 +24,8 @@
 //!
 //! # Hard case
 //!
-//! Contact and loads of a caller's own are not in it: who plays it hands them in again, as [`replay`]'s step.
+//! Contact and loads of a caller's own are not in it: who plays it hands them in again, as the step of [`replay`], or of [`Player`] where ribbons
+//! touch each other.
 //!
 //! Source: ours. Checked by `tests/ribbon_record.rs`.
 
@@ -32,7 +33,7 @@ mod head;
 mod read;
 mod write;
 
-pub use read::{Reader, replay};
+pub use read::{Player, Reader, replay};
 pub use write::Recorder;
 
 /// What a ribbon's recording begins with.

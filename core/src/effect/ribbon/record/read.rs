@@ -66,6 +66,7 @@ impl<'a> Reader<'a> {
 }
 
 /// Steps, and what was asked before each.
+#[derive(Debug)]
 struct Tape<'a> {
     stream: In<'a>,
     steps: u32,
@@ -133,24 +134,59 @@ pub fn replay<R: Real, const N: usize>(
     ribbon: &mut Ribbon<R, N>,
     mut step: impl FnMut(&mut Ribbon<R, N>, f64) -> Report<R>,
 ) -> Result<Verdict, RecordError> {
-    let (recorded, here) = (reader.head.tier, Tier::of::<R>());
-    if recorded != here {
-        return Err(RecordError::Tier { recorded, here });
+    let mut player = Player::start(reader, ribbon)?;
+    while player.step(ribbon, &mut step)? {}
+    Ok(player.verdict)
+}
+
+/// A recording that is played again a step at a time, beside others whose ribbons touch it.
+#[derive(Debug)]
+pub struct Player<'a> {
+    tape: Tape<'a>,
+    verdict: Verdict,
+}
+
+impl<'a> Player<'a> {
+    /// Opens `ribbon` as the recorded one was.
+    ///
+    /// # Errors
+    ///
+    /// As [`replay`].
+    pub fn start<R: Real, const N: usize>(
+        reader: &Reader<'a>,
+        ribbon: &mut Ribbon<R, N>,
+    ) -> Result<Self, RecordError> {
+        let (recorded, here) = (reader.head.tier, Tier::of::<R>());
+        if recorded != here {
+            return Err(RecordError::Tier { recorded, here });
+        }
+        ribbon.open(&reader.head.spec, reader.head.origin)?;
+        let mut stream = reader.rest;
+        state(ribbon, &mut stream)?;
+        ribbon.body().place(R::ZERO);
+        ribbon.body().reconstruct();
+        let verdict = Verdict {
+            steps: 0,
+            diverged: None,
+            final_hash: ribbon.state_hash(),
+            refused: 0,
+            same_build: reader.head.same_build(),
+        };
+        Ok(Self { tape: Tape::of(stream), verdict })
     }
-    ribbon.open(&reader.head.spec, reader.head.origin)?;
-    let mut stream = reader.rest;
-    state(ribbon, &mut stream)?;
-    ribbon.body().place(R::ZERO);
-    ribbon.body().reconstruct();
-    let mut verdict = Verdict {
-        steps: 0,
-        diverged: None,
-        final_hash: ribbon.state_hash(),
-        refused: 0,
-        same_build: reader.head.same_build(),
-    };
-    let mut tape = Tape::of(stream);
-    while let Some((h, expected)) = tape.next()? {
+
+    /// Takes it through the next step; false where there is none.
+    ///
+    /// # Errors
+    ///
+    /// None for a recording that [`Reader::open`] has found sound.
+    pub fn step<R: Real, const N: usize>(
+        &mut self,
+        ribbon: &mut Ribbon<R, N>,
+        step: impl FnOnce(&mut Ribbon<R, N>, f64) -> Report<R>,
+    ) -> Result<bool, RecordError> {
+        let (tape, verdict) = (&mut self.tape, &mut self.verdict);
+        let Some((h, expected)) = tape.next()? else { return Ok(false) };
         if tape.anew {
             tape.asked.give(ribbon);
         }
@@ -165,6 +201,11 @@ pub fn replay<R: Real, const N: usize>(
             verdict.diverged = Some(Divergence { step: verdict.steps, expected, found });
         }
         (verdict.steps, verdict.final_hash) = (verdict.steps.saturating_add(1), found);
+        Ok(true)
     }
-    Ok(verdict)
+
+    /// What was found so far.
+    pub fn verdict(&self) -> &Verdict {
+        &self.verdict
+    }
 }
