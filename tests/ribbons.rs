@@ -9,6 +9,7 @@ mod ribbon_fidelity;
 mod ribbon_golden;
 mod ribbon_hard_cases;
 mod ribbon_loops;
+mod ribbon_momentum;
 mod ribbon_newton;
 mod ribbon_numbers;
 mod ribbon_parts;

@@ -18,7 +18,8 @@
 //! | `adjoint` | the gradient alone, for oracles |
 //! | `newton`, `report`, `fidelity` | the method, its limits and its answer; what accuracy costs |
 //! | `life` | [`Ribbon`]: what a caller holds |
-//! | `energy`, `event` | what energy it has; what a step sounds like |
+//! | `energy`, `momentum` | what it has of both; a step that keeps the latter |
+//! | `event` | what a step sounds like |
 //! | `record` | its steps as a file that can be played again |
 //! | `bookmark` | the ribbon sewn to a book |
 //!
@@ -47,6 +48,7 @@ pub mod fidelity;
 pub mod newton;
 pub mod life;
 pub mod energy;
+pub mod momentum;
 pub mod event;
 pub mod record;
 pub mod bookmark;
