@@ -236,7 +236,7 @@ fn a_wide_ribbon_at_its_bounds_has_numbers() {
         body.place(0.0);
         body.stages[20].crease.c += 3.0 * limit;
         let total = body.evaluate(&ask, &()).total(body.mu);
-        assert!(!(total < 1e300), "{bending:?}: {total} would be taken");
+        assert!(total.is_nan() || total > 1e300, "{bending:?}: {total} would be taken");
     }
 }
 

@@ -3,7 +3,7 @@
 use super::code::Presence;
 use super::error::RecordError;
 use super::wire::{Done, Wire};
-use super::{MAGIC, VERSION};
+use super::{KIND, VERSION};
 use crate::book::Book;
 use crate::grid::Grid;
 use crate::hand::View;
@@ -188,7 +188,7 @@ impl Header {
 
     /// All fields from the magic on. Reading refuses another magic or version before it goes on.
     pub(super) fn fields(&mut self, wire: &mut impl Wire) -> Done {
-        preamble(wire)?;
+        preamble::<KIND>(wire)?;
         let Self { tier, grid, made_by, setup } = self;
         wire.code(tier)?;
         grid.iter_mut().try_for_each(|n| wire.u8(n))?;
@@ -197,11 +197,11 @@ impl Header {
     }
 }
 
-/// Magic and version.
-pub(super) fn preamble(wire: &mut impl Wire) -> Done {
-    let (mut magic, mut version) = (MAGIC, VERSION);
+/// Magic and version; the magic as its four bytes, little end first, so that each kind of recording has its own code.
+pub(crate) fn preamble<const KIND: u32>(wire: &mut impl Wire) -> Done {
+    let (mut magic, mut version) = (KIND.to_le_bytes(), VERSION);
     wire.bytes(&mut magic)?;
-    if magic != MAGIC {
+    if magic != KIND.to_le_bytes() {
         return Err(RecordError::NotARecording);
     }
     wire.u16(&mut version)?;

@@ -46,6 +46,8 @@ pub use write::{Recorder, Sink, SliceSink};
 
 /// What every recording begins with.
 pub const MAGIC: [u8; 4] = *b"DLR1";
+/// The same as a number.
+pub(crate) const KIND: u32 = u32::from_le_bytes(MAGIC);
 /// The layout this build writes, and the only one it reads. A new field or code means a new version.
 pub const VERSION: u16 = 2;
 /// Longest recording, bytes.

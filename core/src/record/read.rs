@@ -1,5 +1,6 @@
 //! Reading a recording: every answer but a sound recording is an error.
 
+use super::KIND;
 use super::MAX_BYTES;
 use super::crc::Crc;
 use super::error::RecordError;
@@ -41,7 +42,7 @@ impl<'a> Reader<'a> {
             return Err(RecordError::TooLarge);
         }
         // What another version holds, and where its checksum stands, is not known here.
-        preamble(&mut In(bytes))?;
+        preamble::<KIND>(&mut In(bytes))?;
         let mut stream = In(checked(bytes)?);
         let mut header = Header::blank();
         header.fields(&mut stream)?;

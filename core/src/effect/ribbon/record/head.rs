@@ -1,6 +1,5 @@
 //! Lists of fields: what a ribbon was opened with, its state, what it was asked.
 
-use super::MAGIC;
 use crate::effect::ribbon::frame::Frame;
 use crate::effect::ribbon::load::{Ask, GUIDES, Guide, SPRINGS, Spring};
 use crate::effect::ribbon::newton::Solver;
@@ -10,7 +9,7 @@ use crate::real::{Real, V3};
 use crate::record::code::coded;
 use crate::record::header::this_build;
 use crate::record::wire::{Done, Wire};
-use crate::record::{RecordError, Tier, VERSION};
+use crate::record::{RecordError, Tier};
 use heapless::Vec;
 
 coded!(Bending, "bending energy", Sadowsky = 0, Wunderlich = 1);
@@ -54,17 +53,6 @@ impl Head {
         spec_fields(spec, wire)?;
         wire.point(origin)
     }
-}
-
-/// Magic and version.
-pub(super) fn preamble(wire: &mut impl Wire) -> Done {
-    let (mut magic, mut version) = (MAGIC, VERSION);
-    wire.bytes(&mut magic)?;
-    if magic != MAGIC {
-        return Err(RecordError::NotARecording);
-    }
-    wire.u16(&mut version)?;
-    if version == VERSION { Ok(()) } else { Err(RecordError::Version(version)) }
 }
 
 fn size(field: &mut usize, wire: &mut impl Wire) -> Done {

@@ -38,3 +38,5 @@ pub use write::Recorder;
 
 /// What a ribbon's recording begins with.
 pub const MAGIC: [u8; 4] = *b"DLB1";
+/// The same as a number.
+const KIND: u32 = u32::from_le_bytes(MAGIC);

@@ -1,11 +1,13 @@
 //! Reading a ribbon's recording, and playing it again: every answer but a sound recording is an error.
 
-use super::head::{ASKED, Asked, BASE, END, Head, STEP, frame, preamble, state, state_numbers};
+use super::KIND;
+use super::head::{ASKED, Asked, BASE, END, Head, STEP, frame, state, state_numbers};
 use crate::effect::ribbon::frame::Frame;
 use crate::effect::ribbon::spec::RibbonSpec;
 use crate::effect::ribbon::{Report, Ribbon};
 use crate::real::{Real, V3};
 use crate::record::crc::Crc;
+use crate::record::header::preamble;
 use crate::record::wire::{Done, In, Wire};
 use crate::record::{Divergence, MAX_BYTES, MAX_RECORDS, RecordError, Tier, Verdict};
 
@@ -32,7 +34,7 @@ impl<'a> Reader<'a> {
             return Err(RecordError::TooLarge);
         }
         // What another version holds, and where its checksum stands, is not known here.
-        preamble(&mut In(bytes))?;
+        preamble::<KIND>(&mut In(bytes))?;
         let (body, sum) = bytes.split_last_chunk().ok_or(RecordError::Truncated)?;
         let mut crc = Crc::START;
         crc.take(body);
@@ -40,7 +42,7 @@ impl<'a> Reader<'a> {
             return Err(RecordError::Checksum);
         }
         let (mut rest, mut head) = (In(body), Head::blank());
-        preamble(&mut rest)?;
+        preamble::<KIND>(&mut rest)?;
         head.fields(&mut rest)?;
         head.spec.check(MOST_SEGMENTS)?;
         let mut stream = rest;

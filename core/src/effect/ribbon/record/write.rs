@@ -1,10 +1,12 @@
 //! Making a recording of a ribbon.
 
-use super::head::{ASKED, Asked, BASE, END, Head, STEP, frame, preamble, state};
+use super::KIND;
+use super::head::{ASKED, Asked, BASE, END, Head, STEP, frame, state};
 use crate::effect::ribbon::frame::Frame;
 use crate::effect::ribbon::{Report, Ribbon};
 use crate::real::Real;
 use crate::record::crc::Crc;
+use crate::record::header::preamble;
 use crate::record::wire::{Done, Out, Ruler, Wire};
 use crate::record::{MAX_BYTES, MAX_RECORDS, RecordError, Sink};
 
@@ -130,7 +132,7 @@ fn whole<R: Real, const N: usize>(
     ribbon: &mut Ribbon<R, N>,
     wire: &mut impl Wire,
 ) -> Done {
-    preamble(wire)?;
+    preamble::<KIND>(wire)?;
     head.fields(wire)?;
     state(ribbon, wire)
 }
