@@ -8,10 +8,12 @@ use super::closure::Hold;
 use super::contact::touch::{Push, Touch, four, stiffen_by};
 use super::inertia::Model;
 use super::joint::{Turn, about};
+use super::newton::accept;
+use super::report::{Report, Settings};
 use super::resample::Pair;
 use super::riccati::{Tie, Value, plus};
 use super::strip::Strip;
-use crate::real::Real;
+use crate::real::{Real, V3};
 
 /// What a step of a slope weighs against one of an angle: slopes have bounds, angles have none.
 const SLOPES: f64 = 100.0;
@@ -24,14 +26,83 @@ const FIRM: f64 = 1e-2;
 /// Rulings are held so many roundings before their bounds.
 const BRIM: f64 = 256.0;
 
+/// A closing step's share below which the other kind is tried.
+const FAR: f64 = 0.3;
+/// A step that meets something is not shortened by more than this at once.
+const LEAST_FREE: f64 = 0.02;
+/// Steps at most that close a loop.
+const CLOSINGS: u32 = 40;
+
 impl<R: Real, const N: usize> Body<R, N> {
-    /// Factors the joint's rows; [`Body::lead_joint`] then gives the step. A free start stays where it is, and so do, in
+    /// Closes the joint by at most forty steps. Where one kind of step comes not far, rulings at their bounds or a contact
+    /// are in its way: then it is the other's turn.
+    pub(super) fn close<T: Touch<R>>(
+        &mut self,
+        touch: &mut T,
+        settings: &Settings,
+        report: &mut Report<R>,
+    ) {
+        let (mut lean, mut failed) = (true, 0);
+        let (middle, length) = (self.middle(), self.strip.length());
+        for _ in 0..CLOSINGS {
+            self.place(R::ZERO);
+            self.reconstruct();
+            if failed > 1 || self.gap.size(length) <= R::of(settings.closure) {
+                break;
+            }
+            report.iterations += 1;
+            report.factorisations += 1;
+            let share = self.draw(touch, settings.trials, lean);
+            failed = if share > R::ZERO { 0 } else { failed + 1 };
+            lean ^= share < R::of(FAR);
+        }
+        if self.strip.free && !T::ACTIVE {
+            self.centre(middle);
+        }
+    }
+
+    /// Takes the first share of a closing step that closes well and is free; answers which, or zero.
+    fn draw<T: Touch<R>>(&mut self, touch: &mut T, trials: u32, lean: bool) -> R {
+        touch.press(&self.pose());
+        let (before, mut share) = (self.ajar(), R::one());
+        if self.factor_joint(touch, lean).is_none() {
+            return R::ZERO;
+        }
+        self.lead_joint();
+        for _ in 0..trials {
+            self.place(share);
+            self.reconstruct();
+            let free = touch.free(&self.pose(), R::one());
+            if free < R::one() {
+                share *= free.larger(R::of(LEAST_FREE));
+                continue;
+            }
+            let closes = self.ajar() < before * (R::one() - share * R::of(0.1));
+            if closes && self.inside() {
+                accept(self);
+                return share;
+            }
+            share *= R::of(0.5);
+        }
+        R::ZERO
+    }
+
+    /// Brings a free loop's middle back to where it was: closing gives no momentum.
+    fn centre(&mut self, middle: V3<R>) {
+        self.place(R::ZERO);
+        self.reconstruct();
+        self.base.p = self.base.p + middle - self.middle();
+        self.reconstruct();
+        self.keep();
+    }
+
+    /// Factors the joint's rows; `lead_joint` then gives the step. A free start stays where it is, and so do, in
     /// the direction they are pushed, points that `touch` has found; so do all slopes but where `lean`.
     ///
     /// # Cost
     ///
     /// Some 500 operations a segment.
-    pub fn factor_joint<T: Touch<R>>(&mut self, touch: &T, lean: bool) -> Option<R> {
+    fn factor_joint<T: Touch<R>>(&mut self, touch: &T, lean: bool) -> Option<R> {
         let (o, cell, strip) = (R::ZERO, self.strip.cell, self.strip);
         let (rows, mut value) = (self.joint_rows(), Value::ZERO);
         let weight = rows.shift * R::of(FIRM);
@@ -71,12 +142,17 @@ impl<R: Real, const N: usize> Body<R, N> {
         Hold { lambda: [R::ZERO; 6], turn, shift: turn * R::of(40.0) / (length * length) }
     }
     /// What a closing step lowers.
-    pub fn ajar(&self) -> R {
+    fn ajar(&self) -> R {
         self.joint_rows().energy(&self.gap)
     }
-    /// The step of every crease from [`Body::factor_joint`]. Rulings are held a little before their bounds: what comes
+    /// The mean of the creases' middles as placed, a loop's last not counted twice.
+    fn middle(&self) -> V3<R> {
+        let ends = self.used().iter().fold(V3([R::ZERO; 3]), |sum, s| sum + s.pair[0] + s.pair[1]);
+        ends * (R::of(0.5) / R::of(self.strip.n as f64))
+    }
+    /// The step of every crease from `factor_joint`. Rulings are held a little before their bounds: what comes
     /// nearer at each step would soon be nearer than rounding.
-    pub fn lead_joint(&mut self) {
+    fn lead_joint(&mut self) {
         let limit = self.strip.limit;
         self.strip.limit = limit * R::of(1.0 - BRIM * R::EPSILON);
         let _ = self.solve(true);

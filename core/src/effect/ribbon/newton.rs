@@ -41,10 +41,6 @@ const WIDEST: f64 = 0.05;
 const LEAST_FREE: f64 = 0.02;
 /// Share of the way searched by contact that iterations may go; the rest is for closing.
 const RANGE: f64 = 0.75;
-/// A closing step's share below which the other kind is tried.
-const FAR: f64 = 0.3;
-/// Steps at most that close a loop at the end.
-const CLOSINGS: u32 = 40;
 
 /// The method; a solve does not depend on the one before it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -345,61 +341,16 @@ impl<'a, R: Real, L: Loads<R>, T: Touch<R>, const N: usize> Run<'a, R, L, T, N> 
         (hold.turn, hold.shift) = (hold.turn * R::of(10.0), hold.shift * R::of(10.0));
     }
 
-    /// Closes a loop that is still open when the iterations are used up, or says that something is in the way. Where one
-    /// kind of step comes not far, rulings at their bounds or a contact are in its way: then it is the other's turn.
+    /// Closes a loop that is still open when the iterations are used up, or says that something is in the way.
     fn close(&mut self) {
-        let (mut lean, mut failed) = (true, 0);
-        for _ in 0..CLOSINGS {
-            self.place_closed();
-            if self.closed() || failed > 1 {
-                break;
-            }
-            self.report.iterations += 1;
-            let share = self.draw(lean);
-            failed = if share > R::ZERO { 0 } else { failed + 1 };
-            lean ^= share < R::of(FAR);
-        }
+        self.body.close(self.touch, self.settings, &mut self.report);
         self.energy = self.back();
-        self.place_closed();
+        self.joined = self.body.gap.size(self.body.strip.length());
         // Nothing is closed better than to rounding.
         let least = self.settings.closure.larger(64.0 * R::EPSILON);
         if self.joined > R::of(least) {
             self.report.status = Status::Open;
         }
-    }
-
-    /// As accepted, with its gap.
-    fn place_closed(&mut self) {
-        self.body.place(R::ZERO);
-        self.body.reconstruct();
-        self.joined = self.body.gap.size(self.body.strip.length());
-    }
-
-    /// Takes the first share of a closing step that closes well and is free; answers which, or zero.
-    fn draw(&mut self, lean: bool) -> R {
-        self.report.factorisations += 1;
-        self.touch.press(&self.body.pose());
-        let (before, mut share) = (self.body.ajar(), R::one());
-        if self.body.factor_joint(self.touch, lean).is_none() {
-            return R::ZERO;
-        }
-        self.body.lead_joint();
-        for _ in 0..self.settings.trials {
-            self.body.place(share);
-            self.body.reconstruct();
-            let free = self.touch.free(&self.body.pose(), R::one());
-            if free < R::one() {
-                share *= free.larger(R::of(LEAST_FREE));
-                continue;
-            }
-            let closes = self.body.ajar() < before * (R::one() - share * R::of(0.1));
-            if closes && self.body.inside() {
-                accept(self.body);
-                return share;
-            }
-            share *= R::of(0.5);
-        }
-        R::ZERO
     }
 }
 
@@ -416,7 +367,7 @@ fn start_barrier<R: Real, const N: usize>(body: &mut Body<R, N>, floor: R) {
 }
 
 /// Duals follow, then the point is kept.
-fn accept<R: Real, const N: usize>(body: &mut Body<R, N>) {
+pub(super) fn accept<R: Real, const N: usize>(body: &mut Body<R, N>) {
     let (mu, limit) = (body.mu, body.strip.limit);
     let mut stages = body.used_mut().iter_mut().peekable();
     while let Some(s) = stages.next() {
