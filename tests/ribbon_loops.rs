@@ -82,6 +82,7 @@ fn thrown<R: Real>(steps: u32, bound: f64, seed: u64) -> (u32, u32) {
     let mut ribbon = open::<R, N>(&RibbonSpec { damping_per_s: 1.0, ..band });
     ribbon.wind(&start(), &Settings::STEP);
     let mut near = Box::new(Near::<R, _, N, 1, 2048>::over(walls(), Cushion::default()));
+    // OPEN: one of so wide cells that may touch itself, too, crumples, and most of its steps end open, and say so.
     near.itself = false;
     let (mut random, mut open, mut silent, mut worst) = (Pcg::new(seed), 0, 0, 0.0_f64);
     for step in 0..steps {
