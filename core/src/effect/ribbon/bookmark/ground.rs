@@ -1,5 +1,6 @@
 //! What a bookmark lies on: table, boards, blocks and a leaf in the air, as the book is just now.
 
+use super::CUSHION;
 use super::solid::{Curtain, FAR, Prism};
 use crate::book::Book;
 use crate::collision::Profile;
@@ -138,17 +139,16 @@ impl<R: Real, G: Grid> Surface<R> for Ground<R, G> {
     const HARD: bool = false;
 
     fn above(&self, p: V3<R>) -> (R, V3<R>) {
-        let mut best = (R::of(FAR), V3::zero());
-        self.each(p, |d, n| {
-            if d < best.0 {
-                best = (d, n);
-            }
-        });
-        best
+        let still = self.still(p);
+        let leaf = if self.layer == Layer::Held { None } else { self.leaf.above(p) };
+        leaf.filter(|(d, _)| *d < still.0).unwrap_or(still)
     }
     fn each(&self, p: V3<R>, mut take: impl FnMut(R, V3<R>)) {
         self.lying(p, &mut take);
-        let leaf = if self.layer == Layer::Held { None } else { self.leaf.above(p) };
+        let leaf = match self.layer {
+            Layer::Held => None,
+            _ => self.leaf.solid(p, R::of(CUSHION.reach_m)),
+        };
         let (d, n) = leaf.unwrap_or((R::of(FAR), V3::zero()));
         take(d, n);
     }

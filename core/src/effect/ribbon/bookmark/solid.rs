@@ -15,6 +15,8 @@ pub(super) const FAR: f64 = 1e3;
 const DOWN: f64 = 1.0;
 /// What is further than this from a body is told no more exactly than that, metres.
 const NEAR: f64 = 2e-3;
+/// Shorter than this has no direction, metres.
+const NOTHING: f64 = 1e-9;
 /// Deeper than this behind a curtain is not behind it, metres: it was gone around.
 const DEEPEST: f64 = 0.04;
 
@@ -91,18 +93,22 @@ impl<R: Real> Prism<R> {
         let Some(foot) = self.foot(p) else { return (R::of(FAR), V3::zero()) };
         let (d, n) = (foot.distance, self.turned(foot.normal));
         let side = if p.0[2] < R::ZERO { -R::one() } else { R::one() };
-        let (dz, nz) = (p.0[2] * side - self.half, V3([R::ZERO, R::ZERO, side]));
-        if d > R::ZERO && dz > R::ZERO {
-            let far = (d * d + dz * dz).root();
-            return (far, (n * d + nz * dz) * (R::one() / far));
-        }
-        if d > dz { (d, n) } else { (dz, nz) }
+        both((d, n), (p.0[2] * side - self.half, V3([R::ZERO, R::ZERO, side])))
     }
 
     /// Whether a point lies between head and tail, and not beyond its outer end.
     pub fn spans(&self, p: V3<R>) -> bool {
         p.0[2].magnitude() < self.half && p.0[0] * self.sign < self.outer
     }
+}
+
+/// Distance to what two solids that meet squarely have in common, from the distances to them.
+fn both<R: Real>((d, n): (R, V3<R>), (e, m): (R, V3<R>)) -> (R, V3<R>) {
+    if d > R::ZERO && e > R::ZERO {
+        let far = (d * d + e * e).root();
+        return (far, (n * d + m * e) * (R::one() / far));
+    }
+    if d > e { (d, n) } else { (e, m) }
 }
 
 /// The leaf in the air, metres, and on which of its sides the ribbon is.
@@ -140,6 +146,28 @@ impl<R: Real, G: Grid> Curtain<R, G> {
     ///
     /// Rows are taken to stand at their rest places along the binding: exact for a leaf that is bent about the spine.
     pub fn above(&self, p: V3<R>) -> Option<(R, V3<R>)> {
+        self.seen(p).map(|(over, _)| over)
+    }
+
+    /// The same of a solid behind it that ends `rim` inside its edges: who is deep behind it comes out at the nearest edge,
+    /// and nowhere does a small step make a large difference.
+    pub fn solid(&self, p: V3<R>, rim: R) -> Option<(R, V3<R>)> {
+        let (over, [foot, from, to]) = self.seen(p)?;
+        if over.0 >= rim {
+            return Some(over);
+        }
+        let (o, l) = (R::ZERO, R::one());
+        let [head, tail] = [self.head - self.half - p.0[2], p.0[2] - self.half];
+        let end = if head > tail { (head, V3([o, o, -l])) } else { (tail, V3([o, o, l])) };
+        let [inner, outer] = [from - foot, to - foot].map(|way| (way.norm(), way));
+        let (far, way) = if inner.0 < outer.0 { inner } else { outer };
+        let [x, y] = (way * (l / far.larger(R::of(NOTHING)))).0;
+        let over = both(over, (end.0 + rim, end.1));
+        Some(both(over, (rim - far, V3([x, y, o]))))
+    }
+
+    /// Distance and direction; the foot, and where the row ends.
+    fn seen(&self, p: V3<R>) -> Option<((R, V3<R>), [V2<R>; 3])> {
         if self.side == R::ZERO || p.0[2].magnitude() > self.half || p.0[2] < self.head - self.half
         {
             return None;
@@ -164,6 +192,7 @@ impl<R: Real, G: Grid> Curtain<R, G> {
         let n = foot.normal * self.side;
         let g = V3([n.0[0], n.0[1], -n.dot(slope)]);
         let steep = R::one() / g.norm();
-        Some((d * steep, g * steep))
+        let to = row(foot.edge) + (row((foot.edge + 1).min(G::NX - 1)) - row(foot.edge)) * foot.share;
+        Some(((d * steep, g * steep), [to, row(0), row(G::NX - 1)]))
     }
 }
