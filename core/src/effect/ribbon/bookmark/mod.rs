@@ -6,7 +6,8 @@
 //! | file | question |
 //! |---|---|
 //! | `curve` | how far is a point of a plane from a line of edges |
-//! | `solid` | blocks and boards as prisms, the leaf as a curtain |
+//! | `solid` | blocks and boards as prisms |
+//! | `curtain` | the leaf in the air |
 //! | `ground` | what a bookmark lies on, and between which leaves |
 //! | `hold` | what keeps it where it lies |
 //! | `root` | where it comes out of the spine |
@@ -14,6 +15,7 @@
 
 pub mod curve;
 pub mod solid;
+pub mod curtain;
 pub mod ground;
 mod finger;
 mod hold;
@@ -42,9 +44,10 @@ pub const SEGMENTS: usize = 48;
 const PUSHES: usize = 512;
 /// How near the paper it lies, metres, and how hard that is, newton per metre.
 const CUSHION: Cushion = Cushion { reach_m: 4e-4, stiffness: 0.5 };
-/// What the eye can tell of a ribbon that narrow.
+/// What the eye can tell of a ribbon that narrow. The barrier keeps its rulings well away from their bounds: in single
+/// precision those that are pushed hard against one another would jam.
 const STEP: Settings =
-    Settings { iterations: 10, tolerance: 3e-3, barrier: 1e-5, ..Settings::STEP };
+    Settings { iterations: 12, tolerance: 3e-3, trials: 8, barrier: 0.1, ..Settings::STEP };
 /// What a slope of its rulings costs: it is too narrow to show one, and without a cost a flat ribbon's are left open.
 const SLOPES: f64 = 0.05;
 /// Rate at which its root follows the leaves, per second.
@@ -186,6 +189,7 @@ impl<R: Real, G: Grid> Bookmark<R, G> {
             finger.pull(&mut self.ribbon.ask);
         }
         self.near.begin(&self.ribbon, h);
+        self.near.surface.sight(self.ribbon.pairs());
         let spec = self.ribbon.spec();
         let area = 0.5 * spec.width_m * spec.length_m / SEGMENTS as f64;
         let inertia = R::of(spec.areal_mass_gsm * 1e-3 * area / (h * h));
