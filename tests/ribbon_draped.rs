@@ -69,7 +69,9 @@ fn hangs_over<R: Real>(name: &str, spec: BookSpec) {
          on the way {deep:.1e} m",
         R::NAME
     );
-    for p in all.chunks(2) { println!("   {:.4?}", p[0].0); }
+    for p in all.chunks(2) {
+        println!("   {:.4?}", p[0].0);
+    }
     assert!(hanging >= 4, "{name}: its end hangs over the fore-edge");
     assert!(at_rest <= DEEP, "{name}: {at_rest} m inside something");
     assert!(cut <= CUT, "{name}: {cut} m in the leaves");

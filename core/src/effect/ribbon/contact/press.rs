@@ -166,8 +166,7 @@ impl<R: Real, S: Surface<R>, const N: usize, const O: usize, const K: usize> Tou
     fn energy(&mut self, pose: &Pose<'_, R>) -> R {
         let mut sum = R::ZERO;
         for (vertex, p) in self.creases().flat_map(|k| pose.pair(k)).enumerate() {
-            self.surface
-                .each_of(vertex, p, |d, _| sum += barrier(&self.cushion, d, S::FLOOR)[0]);
+            self.surface.each_of(vertex, p, |d, _| sum += barrier(&self.cushion, d, S::FLOOR)[0]);
         }
         for &pair in &self.pairs {
             self.each(pair, pose, |_, d| sum += barrier(&self.cushion, d, FLOOR)[0]);
