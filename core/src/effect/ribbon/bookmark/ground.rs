@@ -22,7 +22,7 @@ const HEAD: f64 = 0.012;
 
 /// Where the barrier becomes its parabola, as a share of its reach: leaves come down faster than a ribbon can be solved
 /// for, and a harder push decides nothing but which of them gives up.
-const FLOOR: f64 = 0.15;
+pub(super) const FLOOR: f64 = 0.15;
 /// Table, boards, blocks and the leaf.
 const SOLIDS: usize = 6;
 

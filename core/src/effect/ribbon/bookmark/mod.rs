@@ -36,7 +36,7 @@ use crate::real::{Real, V3};
 use crate::scene::SpecError;
 use crate::state::Fnv;
 use finger::Finger;
-use hold::Hold;
+use hold::{Hold, Touching};
 
 /// Segments of a bookmark.
 pub const SEGMENTS: usize = 48;
@@ -50,6 +50,8 @@ const STEP: Settings =
     Settings { iterations: 12, tolerance: 3e-3, trials: 8, barrier: 0.1, ..Settings::STEP };
 /// What a slope of its rulings costs: it is too narrow to show one, and without a cost a flat ribbon's are left open.
 const SLOPES: f64 = 0.05;
+/// Friction at most.
+const MOST_FRICTION: f64 = 10.0;
 /// Rate at which its root follows the leaves, per second.
 const FOLLOWS: f64 = 12.0;
 /// Slower than this it lies still, metres per second, after so many microseconds.
@@ -69,13 +71,22 @@ pub struct BookmarkSpec {
     pub rigidity_nm: f64,
     /// Grams per square metre.
     pub areal_mass_gsm: f64,
+    /// Coefficient of friction on a page at rest.
+    pub friction: f64,
     /// Leaves on its left.
     pub place: u32,
 }
 
 impl Default for BookmarkSpec {
     fn default() -> Self {
-        Self { length_m: 0.0, width_m: 6e-3, rigidity_nm: 4e-7, areal_mass_gsm: 110.0, place: 0 }
+        Self {
+            length_m: 0.0,
+            width_m: 6e-3,
+            rigidity_nm: 4e-7,
+            areal_mass_gsm: 110.0,
+            friction: 0.3,
+            place: 0,
+        }
     }
 }
 
@@ -103,6 +114,7 @@ pub struct Bookmark<R: Real, G: Grid> {
     near: Near<R, Ground<R, G>, SEGMENTS, 1, PUSHES>,
     hold: Hold<R, SEGMENTS>,
     root: Frame<R>,
+    friction: f64,
     place: u32,
     finger: Option<Finger<R>>,
     still_us: u64,
@@ -119,6 +131,7 @@ impl<R: Real, G: Grid> Bookmark<R, G> {
         near: Near::over(Ground::NONE, CUSHION),
         hold: Hold::NONE,
         root: Frame::WORLD,
+        friction: 0.0,
         place: 0,
         finger: None,
         still_us: 0,
@@ -137,8 +150,15 @@ impl<R: Real, G: Grid> Bookmark<R, G> {
         if spec.place > book.binding().all() {
             return Err(SpecError::OutOfRange("bookmark.place"));
         }
+        if !spec.friction.is_finite() {
+            return Err(SpecError::NotFinite("bookmark.friction"));
+        }
+        if !(0.0..=MOST_FRICTION).contains(&spec.friction) {
+            return Err(SpecError::OutOfRange("bookmark.friction"));
+        }
         self.ribbon.open(&ribbon, [0.0; 3])?;
         (self.near.itself, self.ribbon.settings) = (false, STEP);
+        self.friction = spec.friction;
         self.put(spec.place, book);
         Ok(())
     }
@@ -147,6 +167,7 @@ impl<R: Real, G: Grid> Bookmark<R, G> {
     pub fn put(&mut self, leaves: u32, book: &Book<R, G>) {
         self.place = leaves.min(book.binding().all());
         self.finger = None;
+        self.hold.forget();
         self.ribbon.gravity = book.gravity_m();
         self.near.surface.look(book, self.place);
         self.root = self.target(book);
@@ -193,8 +214,9 @@ impl<R: Real, G: Grid> Bookmark<R, G> {
         let spec = self.ribbon.spec();
         let area = 0.5 * spec.width_m * spec.length_m / SEGMENTS as f64;
         let inertia = R::of(spec.areal_mass_gsm * 1e-3 * area / (h * h));
-        let reach = R::of(CUSHION.reach_m);
-        self.pressed = self.hold.find(&self.near.surface, self.ribbon.pairs(), inertia, reach);
+        let (reach, friction) = (R::of(CUSHION.reach_m), R::of(self.friction));
+        let touching = Touching { inertia, reach, friction };
+        self.pressed = self.hold.find(&self.near.surface, self.ribbon.pairs(), &touching);
         let report = self.ribbon.step_touching(h, &self.hold, &mut self.near);
         self.doze(book, arrived, dt_us);
         report
@@ -251,7 +273,7 @@ impl<R: Real, G: Grid> Bookmark<R, G> {
         self.near.surface.look(book, self.place);
         let ground = &self.near.surface;
         let hidden = finger::hidden(ground.layer);
-        let covered = |p: V3<R>| hidden && ground.blocks.iter().any(|b| b.spans(p));
+        let covered = |p: V3<R>| hidden && ground.blocks.iter().any(|b| b.within(p) > R::ZERO);
         let towards = -book.camera().forward;
         self.finger = Finger::take(id, ray, towards, self.ribbon.pairs(), covered);
         if self.finger.is_some() {
@@ -295,6 +317,7 @@ impl<R: Real, G: Grid> Bookmark<R, G> {
         hash.word(u64::from(self.place) | u64::from(self.asleep) << 32);
         hash.word(self.still_us);
         self.root.p.0.iter().for_each(|&x| hash.real(x));
+        self.hold.anchors().flat_map(|a| a.0).for_each(|x| hash.real(x));
         hash.value()
     }
 }

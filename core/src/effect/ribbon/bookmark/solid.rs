@@ -88,9 +88,9 @@ impl<R: Real> Prism<R> {
         both((d, n), (p.0[2] * side - self.half, V3([R::ZERO, R::ZERO, side])))
     }
 
-    /// Whether a point lies between head and tail, and not beyond its outer end.
-    pub fn spans(&self, p: V3<R>) -> bool {
-        p.0[2].magnitude() < self.half && p.0[0] * self.sign < self.outer
+    /// How far a point lies within head, tail and its outer end; negative beyond.
+    pub fn within(&self, p: V3<R>) -> R {
+        (self.half - p.0[2].magnitude()).smaller(self.outer - p.0[0] * self.sign)
     }
 }
 
