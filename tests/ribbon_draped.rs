@@ -1,8 +1,9 @@
-//! Promise: a bookmark that a finger pulls across the page to the fore-edge and lets go there hangs over it, and is in
-//! nothing solid.
+//! Promise: a bookmark lies where a finger leaves it: it hangs over the fore-edge, in nothing solid, and on a page that is
+//! tilted it does not slide.
 
 use crate::ribbon_bookmark::{DEEP, Read, Sewn, depth, lie, places, seen, sew};
 use dogleaf_core::effect::ribbon::Status;
+use dogleaf_core::effect::ribbon::bookmark::{BookmarkSpec, SEGMENTS};
 use dogleaf_core::hand::{Phase, Sample};
 use dogleaf_core::real::{Real, V3};
 use dogleaf_core::scene::{BookSpec, Cover};
@@ -69,9 +70,6 @@ fn hangs_over<R: Real>(name: &str, spec: BookSpec) {
          on the way {deep:.1e} m",
         R::NAME
     );
-    for p in all.chunks(2) {
-        println!("   {:.4?}", p[0].0);
-    }
     assert!(hanging >= 4, "{name}: its end hangs over the fore-edge");
     assert!(at_rest <= DEEP, "{name}: {at_rest} m inside something");
     assert!(cut <= CUT, "{name}: {cut} m in the leaves");
@@ -84,5 +82,43 @@ fn it_hangs_over_the_fore_edge() {
         let spec = BookSpec { cover, ..BookSpec::default() };
         hangs_over::<f32>(name, spec);
         hangs_over::<f64>(name, spec);
+    }
+}
+
+/// How far the end slides on a page tilted towards the spine by ten degrees, from half a second after it was let go.
+fn slides<R: Real>(friction: f64) -> f64 {
+    let mut scene = Scene::default();
+    let tilt = 10.0_f64.to_radians();
+    scene.world.gravity = [-9.81 * tilt.sin(), -9.81 * tilt.cos(), 0.0];
+    let (book, mut mark) = sew::<R>(&scene, scene.book.read());
+    let spec = BookmarkSpec { friction, place: scene.book.read(), ..BookmarkSpec::default() };
+    mark.open(&spec, &book).expect("a sound ribbon");
+    for _ in 0..90 {
+        let _ = mark.follow(&book, FRAME_US);
+    }
+    let middle = |mark: &Sewn<R>, j: usize| {
+        let all = places(mark);
+        (all[2 * j] + all[2 * j + 1]) * 0.5
+    };
+    let last = SEGMENTS;
+    let end = middle(&mark, last);
+    let _ = pull(&book, &mut mark, end, &[V3([0.02, 0.03, 0.07]), V3([0.09, 0.02, 0.05])]);
+    for _ in 0..30 {
+        let _ = mark.follow(&book, FRAME_US);
+    }
+    let landed = middle(&mark, last);
+    for _ in 0..120 {
+        let _ = mark.follow(&book, FRAME_US);
+    }
+    let slid = (middle(&mark, last) - landed).norm();
+    println!("{} at a friction of {friction}: {:.2} mm", R::NAME, 1e3 * slid);
+    slid
+}
+
+#[test]
+fn it_does_not_slide_on_a_tilted_page() {
+    for slides in [slides::<f32>, slides::<f64>] {
+        assert!(slides(0.3) < 1e-3, "friction holds it");
+        assert!(slides(0.0) > 5e-3, "without friction it slides");
     }
 }
