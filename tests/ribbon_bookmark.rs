@@ -231,5 +231,7 @@ fn bad_bookmarks_are_refused() {
     assert_eq!(refused(wide), Some(SpecError::NotFinite("ribbon.width_m")), "no width");
     let short = BookmarkSpec { length_m: -1.0, ..sound };
     assert_eq!(refused(short), Some(SpecError::OutOfRange("ribbon.length_m")), "no length");
+    let slippery = BookmarkSpec { friction: -0.1, ..sound };
+    assert_eq!(refused(slippery), Some(SpecError::OutOfRange("bookmark.friction")), "no friction");
     assert_eq!(refused(sound), None, "a good one is taken");
 }

@@ -1,9 +1,9 @@
-//! Promise: a bookmark lies where a finger leaves it: it hangs over the fore-edge, in nothing solid, and on a page that is
-//! tilted it does not slide.
+//! Promise: a bookmark lies where a finger leaves it: it hangs over the fore-edge, in nothing solid; on a page that is
+//! tilted it does not slide; drawn from between leaves over an open page it marks that.
 
 use crate::ribbon_bookmark::{DEEP, Read, Sewn, depth, lie, places, seen, sew};
 use dogleaf_core::effect::ribbon::Status;
-use dogleaf_core::effect::ribbon::bookmark::{BookmarkSpec, SEGMENTS};
+use dogleaf_core::effect::ribbon::bookmark::{BookmarkSpec, Layer, SEGMENTS};
 use dogleaf_core::hand::{Phase, Sample};
 use dogleaf_core::real::{Real, V3};
 use dogleaf_core::scene::{BookSpec, Cover};
@@ -121,4 +121,37 @@ fn it_does_not_slide_on_a_tilted_page() {
         assert!(slides(0.3) < 1e-3, "friction holds it");
         assert!(slides(0.0) > 5e-3, "without friction it slides");
     }
+}
+
+/// Draws the end of a bookmark between leaves through places, and lets go.
+fn drawn<R: Real>(through: &[V3<f64>]) -> (Read<R>, Sewn<R>) {
+    let scene = Scene::default();
+    let (book, mut mark) = sew::<R>(&scene, scene.book.read() / 2);
+    lie(&book, &mut mark);
+    assert_eq!(mark.layer(), Layer::Block(0), "it lies between leaves");
+    let all = places(&mark);
+    let end = (all[all.len() - 2] + all[all.len() - 1]) * 0.5;
+    let _ = pull(&book, &mut mark, end, through);
+    lie(&book, &mut mark);
+    (book, mark)
+}
+
+fn comes_out<R: Real>() {
+    let (book, mark) = drawn::<R>(&[V3([0.0, 0.02, 0.11]), V3([0.02, 0.02, 0.05])]);
+    assert_eq!(mark.place(), book.spec().read(), "it marks the open page");
+    assert_eq!(mark.layer(), Layer::Open(true), "on which it lies");
+    assert!(depth(&mark) <= DEEP, "{} m inside something", depth(&mark));
+    assert_eq!(mark.pressed(), 0, "none of it is between leaves");
+    let (book, mark) = drawn::<R>(&[V3([-0.03, 0.0, 0.12])]);
+    assert_eq!(
+        mark.place(),
+        book.spec().read() / 2,
+        "pulled at beside the book it stays where it is"
+    );
+}
+
+#[test]
+fn it_comes_out_from_between_leaves() {
+    comes_out::<f32>();
+    comes_out::<f64>();
 }

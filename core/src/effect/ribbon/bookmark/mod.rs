@@ -50,6 +50,8 @@ const STEP: Settings =
     Settings { iterations: 12, tolerance: 3e-3, trials: 8, barrier: 0.1, ..Settings::STEP };
 /// What a slope of its rulings costs: it is too narrow to show one, and without a cost a flat ribbon's are left open.
 const SLOPES: f64 = 0.05;
+/// So far from head and tail a finger is over the pages, metres.
+const OVER: f64 = 0.02;
 /// Friction at most.
 const MOST_FRICTION: f64 = 10.0;
 /// Rate at which its root follows the leaves, per second.
@@ -165,8 +167,12 @@ impl<R: Real, G: Grid> Bookmark<R, G> {
 
     /// Puts it to another place: `leaves` on its left. It falls there from just above.
     pub fn put(&mut self, leaves: u32, book: &Book<R, G>) {
-        self.place = leaves.min(book.binding().all());
         self.finger = None;
+        self.lay(leaves, book);
+    }
+
+    fn lay(&mut self, leaves: u32, book: &Book<R, G>) {
+        self.place = leaves.min(book.binding().all());
         self.hold.forget();
         self.ribbon.gravity = book.gravity_m();
         self.near.surface.look(book, self.place);
@@ -261,12 +267,28 @@ impl<R: Real, G: Grid> Bookmark<R, G> {
                 Phase::Down | Phase::Move => finger.follow(&ray),
             }
             self.wake();
+            self.draw_out(book);
             return true;
         }
         if sample.phase != Phase::Down {
             return false;
         }
         self.take(book, sample.id, &ray)
+    }
+
+    /// A finger that draws the end of a bookmark from between leaves over the pages that lie open marks those: it comes
+    /// out at once, from the gutter, for it cannot be drawn around the edge of every leaf above it.
+    fn draw_out(&mut self, book: &Book<R, G>) {
+        let [left, _] = book.binding().leaves;
+        let within = |f: &Finger<R>| {
+            let half = 0.5 * book.spec().height_m - OVER;
+            f.to.0[2].magnitude() < R::of(half)
+                && f.to.0[0].magnitude() < R::of(book.spec().width_m)
+        };
+        let shut = matches!(Layer::of(book, self.place), Layer::Block(_));
+        if shut && !book.needs_frame() && self.finger.as_ref().is_some_and(within) {
+            self.lay(left, book);
+        }
     }
 
     fn take(&mut self, book: &Book<R, G>, id: u8, ray: &Ray<R>) -> bool {
