@@ -140,7 +140,7 @@ impl Beside for Filmed<'_> {
         if let Some(place) = self.ribbon {
             self.sewn.follow(step, book, place)?;
         }
-        if step % STEPS_A_FRAME == 0 {
+        if step.is_multiple_of(STEPS_A_FRAME) {
             self.film.add(self.sewn.beside(book_shot(book, self.indices)?));
         }
         if step == 0 {

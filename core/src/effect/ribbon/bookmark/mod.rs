@@ -1,4 +1,5 @@
-//! The ribbon bookmark: hangs from the head of the spine, lies in the gutter or between leaves, drapes over the tail.
+//! The ribbon bookmark: hangs from the head of the spine, lies in the gutter or between leaves, drapes over tail or
+//! fore-edge.
 //!
 //! It is moved by the book and does not move it: a sixth of a gram beside leaves of two. A step looks at the book
 //! as it is, then takes one step of the ribbon against it; asleep with the book it costs a comparison.
@@ -200,7 +201,8 @@ impl<R: Real, G: Grid> Bookmark<R, G> {
     ///
     /// # Cost
     ///
-    /// One step of a ribbon of [`SEGMENTS`] segments; at each trial six distances a vertex.
+    /// One step of a ribbon of [`SEGMENTS`] segments; at each trial the distances of a vertex to what it could have
+    /// come near to since the step began.
     pub fn follow(&mut self, book: &Book<R, G>, dt_us: u32) -> Report<R> {
         if book.needs_frame() {
             (self.asleep, self.awake_us) = (false, 0);
