@@ -14,15 +14,17 @@ use dogleaf_tests::gesture::{FRAME_US, Gesture, Scene};
 use dogleaf_tests::ribbons::stretch;
 use std::time::Instant;
 
-type Sewn<R> = Box<Bookmark<R, G11x8>>;
-type Read<R> = Box<Book<R, G11x8>>;
+pub(crate) type Sewn<R> = Box<Bookmark<R, G11x8>>;
+pub(crate) type Read<R> = Box<Book<R, G11x8>>;
 
 /// Steps until a bookmark that was put somewhere must lie.
 const LAYING: u32 = 300;
+/// It may be so far behind a leaf that pushes it, metres.
+const LAG: f64 = 1e-3;
 /// It may be so deep in something solid where it lies, metres.
-const DEEP: f64 = 3e-4;
+pub(crate) const DEEP: f64 = 3e-4;
 
-fn sew<R: Real>(scene: &Scene, place: u32) -> (Read<R>, Sewn<R>) {
+pub(crate) fn sew<R: Real>(scene: &Scene, place: u32) -> (Read<R>, Sewn<R>) {
     let book = scene.open::<R, G11x8>().expect("a sound book");
     let mut mark: Sewn<R> = Box::new(Bookmark::EMPTY);
     mark.open(&BookmarkSpec { place, ..BookmarkSpec::default() }, &book).expect("a sound ribbon");
@@ -30,7 +32,7 @@ fn sew<R: Real>(scene: &Scene, place: u32) -> (Read<R>, Sewn<R>) {
 }
 
 /// Lets it come to lie; answers the steps it took.
-fn lie<R: Real>(book: &Read<R>, mark: &mut Sewn<R>) -> u32 {
+pub(crate) fn lie<R: Real>(book: &Read<R>, mark: &mut Sewn<R>) -> u32 {
     for step in 0..LAYING {
         if !mark.needs_frame() {
             return step;
@@ -47,13 +49,13 @@ fn fastest<R: Real>(mark: &Sewn<R>) -> f64 {
 }
 
 /// How deep its deepest vertex is in anything, metres.
-fn depth<R: Real>(mark: &Sewn<R>) -> f64 {
+pub(crate) fn depth<R: Real>(mark: &Sewn<R>) -> f64 {
     let seen =
         mark.pairs().enumerate().filter(|(j, _)| !mark.hidden(*j)).flat_map(|(_, pair)| pair);
     seen.fold(0.0, |deepest, p| deepest.max(-mark.ground().above(p).0.wide()))
 }
 
-fn places<R: Real>(mark: &Sewn<R>) -> Vec<V3<f64>> {
+pub(crate) fn places<R: Real>(mark: &Sewn<R>) -> Vec<V3<f64>> {
     mark.pairs().flatten().map(|p| V3(p.0.map(Real::wide))).collect()
 }
 
@@ -125,17 +127,15 @@ fn play<R: Real>(
     (hashes, deepest)
 }
 
-fn goes_with_the_leaves<R: Real>() {
+fn goes_with_the_leaves<R: Real>(seed: u64) {
     let scene = Scene::default();
-    let gesture = Gesture::corner_turn(&scene.eye(), 1);
+    let gesture = Gesture::corner_turn(&scene.eye(), seed);
     let place = scene.book.read();
     let (mut book, mut mark) = sew::<R>(&scene, place);
     lie(&book, &mut mark);
     let (hashes, deepest) = play(&mut book, Some(&mut mark), &gesture);
     println!("{}: at most {deepest:.1e} m inside something on the way", R::NAME);
-    // In single precision some steps end early, and the ribbon lags behind the leaf that pushes it.
-    let lag = if R::EPSILON > 1e-10 { 8e-3 } else { 1e-3 };
-    assert!(deepest <= lag, "{}: {deepest} m inside something", R::NAME);
+    assert!(deepest <= LAG, "{}: {deepest} m inside something", R::NAME);
     assert_eq!(Layer::of(&book, place), Layer::Block(0), "the leaf came to lie on it");
     assert!((0..40).filter(|&j| mark.hidden(j)).count() > 20, "most of it is between leaves");
     assert!(!mark.needs_frame(), "it sleeps with the book");
@@ -146,12 +146,14 @@ fn goes_with_the_leaves<R: Real>() {
 
 #[test]
 fn it_goes_with_the_leaves() {
-    goes_with_the_leaves::<f32>();
-    goes_with_the_leaves::<f64>();
+    for seed in 1..=3 {
+        goes_with_the_leaves::<f32>(seed);
+        goes_with_the_leaves::<f64>(seed);
+    }
 }
 
 /// Where a place of the book is seen, 1/256 pixel.
-fn seen<R: Real>(book: &Read<R>, at: V3<f64>) -> [i32; 2] {
+pub(crate) fn seen<R: Real>(book: &Read<R>, at: V3<f64>) -> [i32; 2] {
     let units = book.units();
     let p = V3(at.0.map(|c| R::of(units.length(c))));
     let [x, y] = book.camera().project(p).expect("before the eye");
@@ -229,5 +231,7 @@ fn bad_bookmarks_are_refused() {
     assert_eq!(refused(wide), Some(SpecError::NotFinite("ribbon.width_m")), "no width");
     let short = BookmarkSpec { length_m: -1.0, ..sound };
     assert_eq!(refused(short), Some(SpecError::OutOfRange("ribbon.length_m")), "no length");
+    let slippery = BookmarkSpec { friction: -0.1, ..sound };
+    assert_eq!(refused(slippery), Some(SpecError::OutOfRange("bookmark.friction")), "no friction");
     assert_eq!(refused(sound), None, "a good one is taken");
 }

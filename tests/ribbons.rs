@@ -4,6 +4,7 @@ mod ribbon_bookmark;
 mod ribbon_chains;
 mod ribbon_contact;
 mod ribbon_derivatives;
+mod ribbon_draped;
 mod ribbon_event;
 mod ribbon_fidelity;
 mod ribbon_golden;

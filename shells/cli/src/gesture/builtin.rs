@@ -44,3 +44,11 @@ pub(crate) fn stack(desk: &Desk) -> Vec<Sample> {
     let stroke = Stroke { leaves: 5, ..stroke(1_500_000) };
     stroke.along(desk, |t| over(EDGE.0, EDGE.1, LIFT, ease(t)))
 }
+
+/// The end of a bookmark that hangs out at the tail, carried over the page and out beyond its fore-edge.
+pub(crate) fn pull_bookmark(desk: &Desk) -> Vec<Sample> {
+    stroke(1_800_000).along(desk, |t| {
+        let t = ease(t);
+        [1.3 * t, 1.04 - 0.8 * t, 0.12 * (4.0 * t * (1.0 - t)).min(1.0)]
+    })
+}

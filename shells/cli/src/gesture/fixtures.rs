@@ -27,6 +27,7 @@ fn all() -> Vec<(&'static str, Vec<Sample>)> {
         ("peek_and_put_back", builtin::peek_and_put_back(&desk)),
         ("corner_turn", builtin::corner_turn(&desk)),
         ("stack", builtin::stack(&desk)),
+        ("pull_bookmark", builtin::pull_bookmark(&desk)),
         ("adversarial", wild::storm(SEED, PICTURE)),
         ("seed_turn", builtin::corner_turn(&seed_desk)),
     ]

@@ -11,6 +11,7 @@ use dogleaf_core::grid::G11x8;
 use dogleaf_core::hand::{Sample, View};
 use dogleaf_core::scene::{BookSpec, Cover, Fidelity, Handling, PaperSpec, WorldSpec};
 use dogleaf_core::step::StepReport;
+use std::sync::Arc;
 use std::time::Instant;
 
 /// Steps of the physics to a frame of the animation.
@@ -90,65 +91,134 @@ impl Figures {
 /// The book that is turned: what shells run.
 type Turning = Book<f32, G11x8>;
 
+/// What looks on while a turn is played.
+trait Beside {
+    /// Whether a sample is not the book's.
+    fn takes(&mut self, _: &Turning, _: &Sample) -> bool {
+        false
+    }
+    /// After every step, which took so many microseconds; step 0 is the book before anything.
+    fn stepped(
+        &mut self,
+        step: u64,
+        book: &mut Turning,
+        report: &StepReport,
+        micros: f64,
+    ) -> Result<(), CliError>;
+    /// Whether it goes on when the book rests.
+    fn moves(&self) -> bool {
+        false
+    }
+}
+
+/// The first time: its shots and figures, the bookmark beside it, and which samples were the book's.
+struct Filmed<'a> {
+    ribbon: Option<u32>,
+    indices: &'a Arc<[u16]>,
+    film: Film,
+    figures: Figures,
+    sewn: Sewn,
+    given: Vec<Sample>,
+}
+
+impl Beside for Filmed<'_> {
+    fn takes(&mut self, book: &Turning, sample: &Sample) -> bool {
+        let taken = self.sewn.takes(book, sample);
+        if !taken {
+            self.given.push(*sample);
+        }
+        taken
+    }
+    fn stepped(
+        &mut self,
+        step: u64,
+        book: &mut Turning,
+        report: &StepReport,
+        micros: f64,
+    ) -> Result<(), CliError> {
+        self.figures.take(book, report, micros);
+        if let Some(place) = self.ribbon {
+            self.sewn.follow(step, book, place)?;
+        }
+        if step.is_multiple_of(STEPS_A_FRAME) {
+            self.film.add(self.sewn.beside(book_shot(book, self.indices)?));
+        }
+        if step == 0 {
+            self.film.hold(STILL);
+        }
+        Ok(())
+    }
+    fn moves(&self) -> bool {
+        self.sewn.moves()
+    }
+}
+
+/// Again: the least time of each step.
+struct Timed<'a>(std::slice::IterMut<'a, f64>);
+
+impl Beside for Timed<'_> {
+    fn stepped(
+        &mut self,
+        _: u64,
+        _: &mut Turning,
+        report: &StepReport,
+        micros: f64,
+    ) -> Result<(), CliError> {
+        if report.newton_steps > 0 {
+            self.0.next().into_iter().for_each(|least| *least = least.min(micros));
+        }
+        Ok(())
+    }
+}
+
 impl Play {
     /// Plays the turn: once for its shots and figures, and again for the times of its steps.
     pub(super) fn run(&self, samples: &[Sample]) -> Result<(Film, Figures), CliError> {
         let mut book = Box::new(Turning::EMPTY);
-        let indices = book_indices::<G11x8>()?;
-        let mut film = Film::default();
-        let mut figures = Figures { simulated: self.simulated(), ..Figures::default() };
-        let mut sewn = Sewn::default();
-        self.steps(&mut book, samples, |step, book, report, micros| {
-            figures.take(book, report, micros);
-            if let Some(place) = self.ribbon {
-                sewn.follow(step, book, place)?;
-            }
-            if step % STEPS_A_FRAME == 0 {
-                film.add(sewn.beside(book_shot(book, &indices)?));
-            }
-            if step == 0 {
-                film.hold(STILL);
-            }
-            Ok(())
-        })?;
-        film.add(sewn.beside(book_shot(&book, &indices)?));
+        let mut filmed = Filmed {
+            ribbon: self.ribbon,
+            indices: &book_indices::<G11x8>()?,
+            film: Film::default(),
+            figures: Figures { simulated: self.simulated(), ..Figures::default() },
+            sewn: Sewn::default(),
+            given: Vec::new(),
+        };
+        self.steps(&mut book, samples, &mut filmed)?;
+        let Filmed { indices, mut film, mut figures, sewn, given, .. } = filmed;
+        film.add(sewn.beside(book_shot(&book, indices)?));
         film.hold(STILL);
         figures.ribbon = sewn.figures(&book);
         for _ in 1..RUNS {
-            let mut known = figures.micros.iter_mut();
-            self.steps(&mut book, samples, |_, _, report, micros| {
-                if report.newton_steps > 0 {
-                    known.next().into_iter().for_each(|least| *least = least.min(micros));
-                }
-                Ok(())
-            })?;
+            self.steps(&mut book, &given, &mut Timed(figures.micros.iter_mut()))?;
         }
         Ok((film, figures))
     }
 
-    /// Opens the book and steps it until everything is at rest; step 0 is the book before anything.
+    /// Opens the book and steps it until everything is at rest.
     fn steps(
         &self,
         book: &mut Turning,
         samples: &[Sample],
-        mut each: impl FnMut(u64, &mut Turning, &StepReport, f64) -> Result<(), CliError>,
+        beside: &mut impl Beside,
     ) -> Result<(), CliError> {
         let world = WorldSpec::default();
         book.open(&self.book, &self.paper, &world, &self.view, self.fidelity)?;
         book.handle(self.handling)?;
-        each(0, book, &StepReport::default(), 0.0)?;
+        beside.stepped(0, book, &StepReport::default(), 0.0)?;
         let last_us = samples.last().map_or(0, |s| s.t_us).min(LONGEST_US);
         let mut left = samples.iter().peekable();
         for step in 1.. {
             let until = book.now_us() + u64::from(world.step_us);
             while let Some(sample) = left.next_if(|s| s.t_us <= until) {
-                // A full queue loses a move, which the next one makes good.
-                let _ = book.input(*sample);
+                if !beside.takes(book, sample) {
+                    // A full queue loses a move, which the next one makes good.
+                    let _ = book.input(*sample);
+                }
             }
             let start = Instant::now();
             let report = book.step();
-            each(step, book, &report, start.elapsed().as_nanos() as f64 * 1e-3)?;
-            let rest = left.peek().is_none() && !book.needs_frame();
+            beside.stepped(step, book, &report, start.elapsed().as_nanos() as f64 * 1e-3)?;
+            let rest = left.peek().is_none() && !book.needs_frame() && !beside.moves();
             if rest || book.now_us() > last_us + REST_US {
                 break;
             }

@@ -7,6 +7,7 @@ use crate::scene::Fabric;
 use dogleaf_core::Book;
 use dogleaf_core::effect::ribbon::bookmark::{Bookmark, BookmarkSpec, Layer};
 use dogleaf_core::grid::G11x8;
+use dogleaf_core::hand::Sample;
 use dogleaf_core::real::Real;
 use dogleaf_core::scene::{BookSpec, Direction};
 use std::time::Instant;
@@ -95,6 +96,16 @@ impl Sewn {
             self.newton_steps += u64::from(report.iterations);
         }
         Ok(())
+    }
+
+    /// Whether a sample is the bookmark's, and not the book's.
+    pub(super) fn takes(&mut self, book: &Book<f32, G11x8>, sample: &Sample) -> bool {
+        self.bookmark.as_mut().is_some_and(|b| b.touch(book, sample))
+    }
+
+    /// Whether it has yet to come to lie.
+    pub(super) fn moves(&self) -> bool {
+        self.bookmark.as_ref().is_some_and(|b| b.needs_frame())
     }
 
     /// The shot with the bookmark in it.

@@ -22,7 +22,7 @@ pub(super) struct Finger<R> {
     plane: [V3<R>; 2],
     /// From where it pulls to the middle of the ribbon and to its rims.
     across: V3<R>,
-    to: V3<R>,
+    pub(super) to: V3<R>,
 }
 
 impl<R: Real> Finger<R> {

@@ -1,9 +1,12 @@
 //! What a bookmark lies on: table, boards, blocks and a leaf in the air, as the book is just now.
 
-use super::solid::{Curtain, FAR, Prism};
+use super::curtain::Curtain;
+use super::solid::{FAR, Prism};
+use super::{CUSHION, SEGMENTS};
 use crate::book::Book;
 use crate::collision::Profile;
 use crate::effect::ribbon::contact::Surface;
+use crate::effect::ribbon::resample::Pair;
 use crate::grid::Grid;
 use crate::mesh::{OVERHANG_M, table_drop_m};
 use crate::real::{Real, V2, V3};
@@ -11,11 +14,24 @@ use crate::scene::Cover;
 
 /// So much further than the leaves go head and tail of what a ribbon hangs over, metres: between two of its vertices it
 /// is straight and would cut the edge.
-const ROUNDED: f64 = 8e-4;
+pub(super) const ROUNDED: f64 = 8e-4;
 /// A ribbon between leaves lies so much below the leaf it lies on, metres: what is thicker than a leaf sinks in.
 const SINKS: f64 = 3e-4;
 /// The leaf's foot closes over a ribbon nearer than this to the head, metres.
 const HEAD: f64 = 0.012;
+
+/// Where the barrier becomes its parabola, as a share of its reach: leaves come down faster than a ribbon can be solved
+/// for, and a harder push decides nothing but which of them gives up.
+pub(super) const FLOOR: f64 = 0.15;
+/// Table, boards, blocks and the leaf.
+const SOLIDS: usize = 6;
+
+/// Where a vertex was when it last looked around, and how far each solid was.
+#[derive(Debug, Clone, Copy)]
+struct Sight<R> {
+    from: V3<R>,
+    away: [R; SOLIDS],
+}
 
 /// Where a bookmark is among the leaves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -52,6 +68,7 @@ pub struct Ground<R: Real, G: Grid> {
     pub(super) blocks: [Prism<R>; 2],
     pub(super) leaf: Curtain<R, G>,
     pub(super) layer: Layer,
+    sights: [Sight<R>; 2 * (SEGMENTS + 1)],
 }
 
 impl<R: Real, G: Grid> Ground<R, G> {
@@ -62,6 +79,7 @@ impl<R: Real, G: Grid> Ground<R, G> {
         blocks: [Prism::NONE; 2],
         leaf: Curtain::NONE,
         layer: Layer::Open(true),
+        sights: [Sight { from: V3([R::ZERO; 3]), away: [R::ZERO; SOLIDS] }; 2 * (SEGMENTS + 1)],
     };
 
     /// Looks at a book, with `place` leaves on the bookmark's left.
@@ -126,30 +144,61 @@ impl<R: Real, G: Grid> Ground<R, G> {
     }
 
     fn lying(&self, p: V3<R>, mut take: impl FnMut(R, V3<R>)) {
-        take(p.0[1] - self.table, V3([R::ZERO, R::one(), R::ZERO]));
-        for prism in self.boards.iter().chain(&self.blocks) {
-            let (d, n) = prism.above(p);
-            take(d, n);
+        for n in 0..SOLIDS - 1 {
+            let (d, normal) = self.one(n, p);
+            take(d, normal);
+        }
+    }
+
+    /// Of one of the solids, the leaf last.
+    fn one(&self, n: usize, p: V3<R>) -> (R, V3<R>) {
+        let none = (R::of(FAR), V3::zero());
+        match n {
+            0 => (p.0[1] - self.table, V3([R::ZERO, R::one(), R::ZERO])),
+            1..3 => self.boards.get(n - 1).map_or(none, |b| b.above(p)),
+            3..5 => self.blocks.get(n - 3).map_or(none, |b| b.above(p)),
+            _ if self.layer == Layer::Held => none,
+            _ => self.leaf.solid(p, R::of(CUSHION.reach_m)).unwrap_or(none),
+        }
+    }
+
+    /// Looks around from a ribbon's vertices: what is far is not looked at again before they have gone as far.
+    pub fn sight(&mut self, pairs: impl Iterator<Item = Pair<R>>) {
+        for (n, from) in pairs.flatten().enumerate() {
+            let mut away = [R::ZERO; SOLIDS];
+            for (n, away) in away.iter_mut().enumerate() {
+                *away = if n + 1 < SOLIDS { self.one(n, from).0 } else { self.leaf.away(from) };
+            }
+            if let Some(sight) = self.sights.get_mut(n) {
+                *sight = Sight { from, away };
+            }
         }
     }
 }
 
 impl<R: Real, G: Grid> Surface<R> for Ground<R, G> {
     const HARD: bool = false;
+    const FLOOR: f64 = FLOOR;
 
     fn above(&self, p: V3<R>) -> (R, V3<R>) {
-        let mut best = (R::of(FAR), V3::zero());
-        self.each(p, |d, n| {
-            if d < best.0 {
-                best = (d, n);
-            }
-        });
-        best
+        let still = self.still(p);
+        let leaf = if self.layer == Layer::Held { None } else { self.leaf.above(p) };
+        leaf.filter(|(d, _)| *d < still.0).unwrap_or(still)
     }
     fn each(&self, p: V3<R>, mut take: impl FnMut(R, V3<R>)) {
-        self.lying(p, &mut take);
-        let leaf = if self.layer == Layer::Held { None } else { self.leaf.above(p) };
-        let (d, n) = leaf.unwrap_or((R::of(FAR), V3::zero()));
-        take(d, n);
+        for n in 0..SOLIDS {
+            let (d, normal) = self.one(n, p);
+            take(d, normal);
+        }
+    }
+    fn each_of(&self, vertex: usize, p: V3<R>, mut take: impl FnMut(R, V3<R>)) {
+        let Some(sight) = self.sights.get(vertex) else { return self.each(p, take) };
+        let gone = (p - sight.from).norm() + R::of(CUSHION.reach_m);
+        for (n, &away) in sight.away.iter().enumerate() {
+            if away <= gone {
+                let (d, normal) = self.one(n, p);
+                take(d, normal);
+            }
+        }
     }
 }

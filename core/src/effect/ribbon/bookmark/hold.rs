@@ -1,16 +1,22 @@
 //! What holds a bookmark where it lies: the leaves it is pressed between, and a page that lets it slide but slowly.
 
-use super::ground::{Ground, Layer};
+use super::CUSHION;
+use super::ground::{FLOOR, Ground, Layer};
 use crate::effect::ribbon::Loads;
+use crate::effect::ribbon::contact::push::barrier;
 use crate::effect::ribbon::load::Pull;
 use crate::effect::ribbon::resample::Pair;
 use crate::grid::Grid;
 use crate::real::{Real, V3};
 
-/// How hard a page holds a ribbon that lies on it, in inertias of a vertex.
+/// How hard a page holds a ribbon that lies on it, in inertias of a vertex: so little gives a vertex way before it slips
+/// that it does not show.
 const GRIP: f64 = 3.0;
 /// How hard leaves hold one between them along themselves, and across, in the same.
 const PRESSED: [f64; 2] = [100.0, 300.0];
+
+/// So near an edge leaves give, metres.
+const GIVES: f64 = 8e-3;
 
 /// `½ (x - a)ᵀ (g (I - n nᵀ) + p n nᵀ) (x - a)` at one vertex.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,6 +30,17 @@ struct Grip<R> {
     covered: bool,
 }
 
+/// What all grips of a step have in common.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Touching<R> {
+    /// A vertex' mass by the time step squared, newton per metre.
+    pub(super) inertia: R,
+    /// How near the ground it lies, metres.
+    pub(super) reach: R,
+    /// Coefficient of friction.
+    pub(super) friction: R,
+}
+
 /// One for each vertex of a ribbon of `N` segments.
 #[derive(Debug, Clone)]
 pub(super) struct Hold<R, const N: usize> {
@@ -34,28 +51,37 @@ pub(super) struct Hold<R, const N: usize> {
 impl<R: Real, const N: usize> Hold<R, N> {
     pub(super) const NONE: Self = Self { grips: [[None; 2]; N], end: [None; 2] };
 
-    /// Finds what holds the vertices as they are. `inertia` is a vertex' mass by the time step squared; `reach` how near
-    /// the ground it lies.
+    /// Finds what holds the vertices as they are, given what held them before.
     pub(super) fn find<G: Grid>(
         &mut self,
         ground: &Ground<R, G>,
         pairs: impl Iterator<Item = Pair<R>>,
-        inertia: R,
-        reach: R,
+        touching: &Touching<R>,
     ) -> u32 {
         let places = self.grips.iter_mut().chain(core::iter::once(&mut self.end));
         let mut pressed = 0;
-        fill(places, pairs, |x| {
-            let (grip, inside) = grip(ground, x, inertia, reach);
+        fill(places, pairs, |x, before| {
+            let (grip, inside) = grip(ground, x, before, touching);
             pressed += u32::from(inside);
             grip
         });
         pressed
     }
 
+    /// Forgets where it lay.
+    pub(super) fn forget(&mut self) {
+        *self = Self::NONE;
+    }
+
     /// Both vertices of a crease have paper on both their sides.
     pub(super) fn pressed(&self, crease: usize) -> bool {
         self.at(crease).iter().all(|g| g.is_some_and(|g| g.covered))
+    }
+
+    /// Where it is held: a part of its state, for a page holds it where it came to lie.
+    pub(super) fn anchors(&self) -> impl Iterator<Item = V3<R>> {
+        let places = self.grips.iter().chain(core::iter::once(&self.end));
+        places.flatten().flatten().map(|g| g.anchor)
     }
 
     fn at(&self, crease: usize) -> &[Option<Grip<R>>; 2] {
@@ -66,11 +92,12 @@ impl<R: Real, const N: usize> Hold<R, N> {
 fn fill<'a, R: Real>(
     places: impl Iterator<Item = &'a mut [Option<Grip<R>>; 2]>,
     pairs: impl Iterator<Item = Pair<R>>,
-    mut of: impl FnMut(V3<R>) -> Option<Grip<R>>,
+    mut of: impl FnMut(V3<R>, &Option<Grip<R>>) -> Option<Grip<R>>,
 ) {
     let mut pairs = pairs.fuse();
     for place in places {
-        *place = pairs.next().map_or([None; 2], |pair| pair.map(&mut of));
+        let [a, b] = &*place;
+        *place = pairs.next().map_or([None; 2], |[x, y]| [of(x, a), of(y, b)]);
     }
 }
 
@@ -78,11 +105,13 @@ fn fill<'a, R: Real>(
 fn grip<R: Real, G: Grid>(
     ground: &Ground<R, G>,
     x: V3<R>,
-    inertia: R,
-    reach: R,
+    before: &Option<Grip<R>>,
+    touching: &Touching<R>,
 ) -> (Option<Grip<R>>, bool) {
+    let &Touching { inertia, reach, .. } = touching;
     let pressed = PRESSED.map(|w| inertia * R::of(w));
-    if let Some((d, n)) = between(ground, x) {
+    if let Some((d, n, share)) = between(ground, x) {
+        let pressed = pressed.map(|w| w * share);
         return (Some(held(x - n * (d - reach * R::of(0.5)), n, pressed, true)), true);
     }
     let near = reach * R::of(1.5);
@@ -90,19 +119,44 @@ fn grip<R: Real, G: Grid>(
     // A leaf that has come down on it: what it lies on is on the other side.
     let leaf = ground.leaf.above(x).filter(|&(off, m)| off < near && m.dot(n) < R::ZERO);
     let covered = d < near && leaf.is_some();
-    let along = if covered { pressed[0] } else { inertia * R::of(GRIP) };
-    ((d < near).then(|| held(x, n, [along, R::ZERO], covered)), covered)
+    if covered {
+        return (Some(held(x, n, [pressed[0], R::ZERO], true)), true);
+    }
+    let lies = d < near && touching.friction > R::ZERO;
+    (lies.then(|| lying(x, (d, n), before, touching)), false)
 }
 
-/// Distance to the layer of leaves a vertex is pressed between.
-fn between<R: Real, G: Grid>(ground: &Ground<R, G>, x: V3<R>) -> Option<(R, V3<R>)> {
+/// What holds a vertex that lies on a page: it sticks to where it came to lie, as far as friction reaches; beyond, that
+/// place comes after it.
+fn lying<R: Real>(
+    x: V3<R>,
+    (d, n): (R, V3<R>),
+    before: &Option<Grip<R>>,
+    touching: &Touching<R>,
+) -> Grip<R> {
+    let weight = touching.inertia * R::of(GRIP);
+    let [_, slope, _] = barrier(&CUSHION, d, FLOOR);
+    let most = touching.friction * -slope / weight;
+    let off = before.as_ref().filter(|g| !g.covered).map_or(V3::zero(), |g| x - g.anchor);
+    let off = off - n * off.dot(n);
+    let gone = off.norm();
+    let off = if gone > most { off * (most / gone) } else { off };
+    held(x - off, n, [weight, R::ZERO], false)
+}
+
+/// Distance to the layer of leaves a vertex is pressed between, and the share of the press: near an edge it gives, or a
+/// vertex there would be taken and let go by turns.
+fn between<R: Real, G: Grid>(ground: &Ground<R, G>, x: V3<R>) -> Option<(R, V3<R>, R)> {
     match ground.layer {
         Layer::Open(_) => None,
-        Layer::Held => ground.leaf.above(x),
+        Layer::Held => ground.leaf.above(x).map(|(d, n)| (d, n, R::one())),
         Layer::Block(side) => {
-            let block = ground.blocks.get(side).filter(|b| b.spans(x))?;
-            let foot = block.foot(x)?;
-            Some((foot.distance, block.turned(foot.normal)))
+            let block = ground.blocks.get(side)?;
+            let within = block.within(x);
+            let foot = block.foot(x).filter(|_| within > R::ZERO)?;
+            let share = (within * R::of(1.0 / GIVES)).smaller(R::one());
+            let share = share * share;
+            Some((foot.distance, block.turned(foot.normal), share))
         }
     }
 }

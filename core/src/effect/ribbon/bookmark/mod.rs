@@ -1,4 +1,5 @@
-//! The ribbon bookmark: hangs from the head of the spine, lies in the gutter or between leaves, drapes over the tail.
+//! The ribbon bookmark: hangs from the head of the spine, lies in the gutter or between leaves, drapes over tail or
+//! fore-edge.
 //!
 //! It is moved by the book and does not move it: a sixth of a gram beside leaves of two. A step looks at the book
 //! as it is, then takes one step of the ribbon against it; asleep with the book it costs a comparison.
@@ -6,7 +7,8 @@
 //! | file | question |
 //! |---|---|
 //! | `curve` | how far is a point of a plane from a line of edges |
-//! | `solid` | blocks and boards as prisms, the leaf as a curtain |
+//! | `solid` | blocks and boards as prisms |
+//! | `curtain` | the leaf in the air |
 //! | `ground` | what a bookmark lies on, and between which leaves |
 //! | `hold` | what keeps it where it lies |
 //! | `root` | where it comes out of the spine |
@@ -14,6 +16,7 @@
 
 pub mod curve;
 pub mod solid;
+pub mod curtain;
 pub mod ground;
 mod finger;
 mod hold;
@@ -34,7 +37,7 @@ use crate::real::{Real, V3};
 use crate::scene::SpecError;
 use crate::state::Fnv;
 use finger::Finger;
-use hold::Hold;
+use hold::{Hold, Touching};
 
 /// Segments of a bookmark.
 pub const SEGMENTS: usize = 48;
@@ -42,11 +45,16 @@ pub const SEGMENTS: usize = 48;
 const PUSHES: usize = 512;
 /// How near the paper it lies, metres, and how hard that is, newton per metre.
 const CUSHION: Cushion = Cushion { reach_m: 4e-4, stiffness: 0.5 };
-/// What the eye can tell of a ribbon that narrow.
+/// What the eye can tell of a ribbon that narrow. The barrier keeps its rulings well away from their bounds: in single
+/// precision those that are pushed hard against one another would jam.
 const STEP: Settings =
-    Settings { iterations: 10, tolerance: 3e-3, barrier: 1e-5, ..Settings::STEP };
+    Settings { iterations: 12, tolerance: 3e-3, trials: 8, barrier: 0.1, ..Settings::STEP };
 /// What a slope of its rulings costs: it is too narrow to show one, and without a cost a flat ribbon's are left open.
 const SLOPES: f64 = 0.05;
+/// So far from head and tail a finger is over the pages, metres.
+const OVER: f64 = 0.02;
+/// Friction at most.
+const MOST_FRICTION: f64 = 10.0;
 /// Rate at which its root follows the leaves, per second.
 const FOLLOWS: f64 = 12.0;
 /// Slower than this it lies still, metres per second, after so many microseconds.
@@ -66,13 +74,22 @@ pub struct BookmarkSpec {
     pub rigidity_nm: f64,
     /// Grams per square metre.
     pub areal_mass_gsm: f64,
+    /// Coefficient of friction on a page at rest.
+    pub friction: f64,
     /// Leaves on its left.
     pub place: u32,
 }
 
 impl Default for BookmarkSpec {
     fn default() -> Self {
-        Self { length_m: 0.0, width_m: 6e-3, rigidity_nm: 4e-7, areal_mass_gsm: 110.0, place: 0 }
+        Self {
+            length_m: 0.0,
+            width_m: 6e-3,
+            rigidity_nm: 4e-7,
+            areal_mass_gsm: 110.0,
+            friction: 0.3,
+            place: 0,
+        }
     }
 }
 
@@ -100,6 +117,7 @@ pub struct Bookmark<R: Real, G: Grid> {
     near: Near<R, Ground<R, G>, SEGMENTS, 1, PUSHES>,
     hold: Hold<R, SEGMENTS>,
     root: Frame<R>,
+    friction: f64,
     place: u32,
     finger: Option<Finger<R>>,
     still_us: u64,
@@ -116,6 +134,7 @@ impl<R: Real, G: Grid> Bookmark<R, G> {
         near: Near::over(Ground::NONE, CUSHION),
         hold: Hold::NONE,
         root: Frame::WORLD,
+        friction: 0.0,
         place: 0,
         finger: None,
         still_us: 0,
@@ -134,16 +153,28 @@ impl<R: Real, G: Grid> Bookmark<R, G> {
         if spec.place > book.binding().all() {
             return Err(SpecError::OutOfRange("bookmark.place"));
         }
+        if !spec.friction.is_finite() {
+            return Err(SpecError::NotFinite("bookmark.friction"));
+        }
+        if !(0.0..=MOST_FRICTION).contains(&spec.friction) {
+            return Err(SpecError::OutOfRange("bookmark.friction"));
+        }
         self.ribbon.open(&ribbon, [0.0; 3])?;
         (self.near.itself, self.ribbon.settings) = (false, STEP);
+        self.friction = spec.friction;
         self.put(spec.place, book);
         Ok(())
     }
 
     /// Puts it to another place: `leaves` on its left. It falls there from just above.
     pub fn put(&mut self, leaves: u32, book: &Book<R, G>) {
-        self.place = leaves.min(book.binding().all());
         self.finger = None;
+        self.lay(leaves, book);
+    }
+
+    fn lay(&mut self, leaves: u32, book: &Book<R, G>) {
+        self.place = leaves.min(book.binding().all());
+        self.hold.forget();
         self.ribbon.gravity = book.gravity_m();
         self.near.surface.look(book, self.place);
         self.root = self.target(book);
@@ -170,7 +201,8 @@ impl<R: Real, G: Grid> Bookmark<R, G> {
     ///
     /// # Cost
     ///
-    /// One step of a ribbon of [`SEGMENTS`] segments; at each trial six distances a vertex.
+    /// One step of a ribbon of [`SEGMENTS`] segments; at each trial the distances of a vertex to what it could have
+    /// come near to since the step began.
     pub fn follow(&mut self, book: &Book<R, G>, dt_us: u32) -> Report<R> {
         if book.needs_frame() {
             (self.asleep, self.awake_us) = (false, 0);
@@ -186,11 +218,13 @@ impl<R: Real, G: Grid> Bookmark<R, G> {
             finger.pull(&mut self.ribbon.ask);
         }
         self.near.begin(&self.ribbon, h);
+        self.near.surface.sight(self.ribbon.pairs());
         let spec = self.ribbon.spec();
         let area = 0.5 * spec.width_m * spec.length_m / SEGMENTS as f64;
         let inertia = R::of(spec.areal_mass_gsm * 1e-3 * area / (h * h));
-        let reach = R::of(CUSHION.reach_m);
-        self.pressed = self.hold.find(&self.near.surface, self.ribbon.pairs(), inertia, reach);
+        let (reach, friction) = (R::of(CUSHION.reach_m), R::of(self.friction));
+        let touching = Touching { inertia, reach, friction };
+        self.pressed = self.hold.find(&self.near.surface, self.ribbon.pairs(), &touching);
         let report = self.ribbon.step_touching(h, &self.hold, &mut self.near);
         self.doze(book, arrived, dt_us);
         report
@@ -235,6 +269,7 @@ impl<R: Real, G: Grid> Bookmark<R, G> {
                 Phase::Down | Phase::Move => finger.follow(&ray),
             }
             self.wake();
+            self.draw_out(book);
             return true;
         }
         if sample.phase != Phase::Down {
@@ -243,11 +278,26 @@ impl<R: Real, G: Grid> Bookmark<R, G> {
         self.take(book, sample.id, &ray)
     }
 
+    /// A finger that draws the end of a bookmark from between leaves over the pages that lie open marks those: it comes
+    /// out at once, from the gutter, for it cannot be drawn around the edge of every leaf above it.
+    fn draw_out(&mut self, book: &Book<R, G>) {
+        let [left, _] = book.binding().leaves;
+        let within = |f: &Finger<R>| {
+            let half = 0.5 * book.spec().height_m - OVER;
+            f.to.0[2].magnitude() < R::of(half)
+                && f.to.0[0].magnitude() < R::of(book.spec().width_m)
+        };
+        let shut = matches!(Layer::of(book, self.place), Layer::Block(_));
+        if shut && !book.needs_frame() && self.finger.as_ref().is_some_and(within) {
+            self.lay(left, book);
+        }
+    }
+
     fn take(&mut self, book: &Book<R, G>, id: u8, ray: &Ray<R>) -> bool {
         self.near.surface.look(book, self.place);
         let ground = &self.near.surface;
         let hidden = finger::hidden(ground.layer);
-        let covered = |p: V3<R>| hidden && ground.blocks.iter().any(|b| b.spans(p));
+        let covered = |p: V3<R>| hidden && ground.blocks.iter().any(|b| b.within(p) > R::ZERO);
         let towards = -book.camera().forward;
         self.finger = Finger::take(id, ray, towards, self.ribbon.pairs(), covered);
         if self.finger.is_some() {
@@ -291,6 +341,7 @@ impl<R: Real, G: Grid> Bookmark<R, G> {
         hash.word(u64::from(self.place) | u64::from(self.asleep) << 32);
         hash.word(self.still_us);
         self.root.p.0.iter().for_each(|&x| hash.real(x));
+        self.hold.anchors().flat_map(|a| a.0).for_each(|x| hash.real(x));
         hash.value()
     }
 }

@@ -76,10 +76,10 @@ impl<R: Real, S: Surface<R>, const N: usize, const O: usize, const K: usize> Nea
     }
     fn press_on_surface(&mut self, crease: usize, pose: &Pose<'_, R>) {
         let (segment, shares) = self.answering(crease);
-        for (p, weights) in pose.pair(crease).into_iter().zip(shares) {
+        for (rim, (p, weights)) in pose.pair(crease).into_iter().zip(shares).enumerate() {
             let mut found = Vec::<Push<R>, SOLIDS>::new();
-            self.surface.each(p, |d, normal| {
-                let [_, slope, curve] = barrier(&self.cushion, d, SOLID);
+            self.surface.each_of(2 * crease + rim, p, |d, normal| {
+                let [_, slope, curve] = barrier(&self.cushion, d, S::FLOOR);
                 if curve > R::ZERO {
                     let _ = found.push(Push { weights, normal, slope, curve });
                 }
@@ -165,8 +165,8 @@ impl<R: Real, S: Surface<R>, const N: usize, const O: usize, const K: usize> Tou
 {
     fn energy(&mut self, pose: &Pose<'_, R>) -> R {
         let mut sum = R::ZERO;
-        for p in self.creases().flat_map(|k| pose.pair(k)) {
-            self.surface.each(p, |d, _| sum += barrier(&self.cushion, d, SOLID)[0]);
+        for (vertex, p) in self.creases().flat_map(|k| pose.pair(k)).enumerate() {
+            self.surface.each_of(vertex, p, |d, _| sum += barrier(&self.cushion, d, S::FLOOR)[0]);
         }
         for &pair in &self.pairs {
             self.each(pair, pose, |_, d| sum += barrier(&self.cushion, d, FLOOR)[0]);

@@ -1,5 +1,6 @@
 //! Grounds that a ribbon lies on: solid below, so a vertex is on one side or the other.
 
+use super::push::SOLID;
 use crate::real::{Real, V3};
 
 /// A solid. A vertex that is inside is pushed out; one that is outside never gets in by a step.
@@ -7,6 +8,8 @@ pub trait Surface<R> {
     /// No step lets a vertex in. Where grounds move and close on one another that cannot be had: then they only push, from
     /// however deep.
     const HARD: bool = true;
+    /// Where the barrier goes on as its parabola, as a share of its reach.
+    const FLOOR: f64 = SOLID;
 
     /// The distance of a point above it, negative inside, and the unit normal there; infinite where there is none.
     fn above(&self, p: V3<R>) -> (R, V3<R>);
@@ -15,6 +18,12 @@ pub trait Surface<R> {
     fn each(&self, p: V3<R>, mut take: impl FnMut(R, V3<R>)) {
         let (d, normal) = self.above(p);
         take(d, normal);
+    }
+
+    /// As [`Surface::each`], for a vertex known by its number along the ribbon, rim by rim: what is known to be out of the
+    /// barrier's reach may be left out.
+    fn each_of(&self, _vertex: usize, p: V3<R>, take: impl FnMut(R, V3<R>)) {
+        self.each(p, take);
     }
 }
 
@@ -43,6 +52,7 @@ impl<R: Real> Surface<R> for HalfSpace<R> {
 /// Several: the one that is nearest, or that a point is deepest in; every one of them pushes.
 impl<R: Real, S: Surface<R>> Surface<R> for [S] {
     const HARD: bool = S::HARD;
+    const FLOOR: f64 = S::FLOOR;
 
     fn above(&self, p: V3<R>) -> (R, V3<R>) {
         self.iter().fold(().above(p), |best, s| {
@@ -57,6 +67,7 @@ impl<R: Real, S: Surface<R>> Surface<R> for [S] {
 
 impl<R: Real, S: Surface<R>, const M: usize> Surface<R> for [S; M] {
     const HARD: bool = S::HARD;
+    const FLOOR: f64 = S::FLOOR;
 
     fn above(&self, p: V3<R>) -> (R, V3<R>) {
         self.as_slice().above(p)
@@ -68,6 +79,7 @@ impl<R: Real, S: Surface<R>, const M: usize> Surface<R> for [S; M] {
 
 impl<R, S: Surface<R> + ?Sized> Surface<R> for &S {
     const HARD: bool = S::HARD;
+    const FLOOR: f64 = S::FLOOR;
 
     fn above(&self, p: V3<R>) -> (R, V3<R>) {
         (*self).above(p)
