@@ -47,8 +47,15 @@ impl<R: Real, const N: usize> Body<R, N> {
             pulls(ask, loads, j, &s.pair, &mut pull);
             let own = pull.gradient;
             let cell = Self::cell(s, (&next.0, &next.1, next.2.c));
-            let m =
-                pressed(strip, &self.motion, &cell, [own, pulled], ask.guide(j), (touch, j), false);
+            let m = pressed(
+                strip,
+                &self.motion,
+                &cell,
+                [own, pulled],
+                ask.guide(j),
+                (touch, j),
+                R::ZERO,
+            );
             let bent = bending::derivatives(strip, j, s.crease, next.2);
             let w = wall(cell.spread, strip.limit, self.mu, s.dual);
             if j + 1 < strip.n {

@@ -76,6 +76,17 @@ pub fn derivatives<R: Real>(strip: &Strip<R>, j: usize, a: Crease<R>, b: Crease<
     }
 }
 
+impl<R: Real> Bent<R> {
+    /// Makes the Hessian [`rough`] by a share.
+    #[inline]
+    pub fn roughen(&mut self, strip: &Strip<R>, j: usize, [a, b]: [Crease<R>; 2], share: R) {
+        let rough = rough(strip, j, a, b);
+        for (h, rough) in self.h.iter_mut().flatten().zip(rough.iter().flatten()) {
+            *h += (*rough - *h) * share;
+        }
+    }
+}
+
 /// The Hessian with what could make it indefinite cut back: `ψc` to what its neighbours bear where `c² > 1/3`, and
 /// Wunderlich's factor as if it stood still but for its own curvature.
 pub fn rough<R: Real>(strip: &Strip<R>, j: usize, a: Crease<R>, b: Crease<R>) -> [[R; 4]; 4] {

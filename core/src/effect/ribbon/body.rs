@@ -1,6 +1,6 @@
 //! The ribbon while it is solved for: creases, frames, vertices, and the value of everything that is minimised.
 
-use super::barrier::{Logs, room};
+use super::barrier::{Logs, duals, room};
 use super::bending;
 use super::closure::{Gap, Hold};
 use super::contact::touch::Pose;
@@ -107,8 +107,9 @@ pub struct Body<R, const N: usize> {
     pub motion: Motion<R>,
     /// Barrier parameter, joules.
     pub mu: R,
-    /// The model leaves out what a force gains by turning: Gauss and Newton's, which always has a minimum.
-    pub rough: bool,
+    /// Share of what a force gains by turning that the model leaves out: with none it is exact, with all of it Gauss and
+    /// Newton's, which always has a minimum.
+    pub rough: R,
     /// What holds the loop.
     pub hold: Hold<R>,
     /// Sine and cosine of the angle about the tangent at which a loop's end meets its start.
@@ -148,7 +149,7 @@ impl<R: Real, const N: usize> Body<R, N> {
         table: Table::EMPTY,
         motion: Motion { kappa: R::ZERO, pull: V3([R::ZERO; 3]) },
         mu: R::ZERO,
-        rough: false,
+        rough: R::ZERO,
         hold: Hold::NONE,
         joint: [R::ZERO; 2],
         gap: Gap {
@@ -207,6 +208,17 @@ impl<R: Real, const N: usize> Body<R, N> {
         let mut pairs = self.used().iter().zip(far);
         pairs.all(|(s, far)| room(far - s.crease.c, limit) > R::of(64.0 * R::EPSILON))
     }
+    /// Takes what was evaluated for good, and the barrier's duals with it.
+    pub fn accept(&mut self) {
+        let (mu, limit) = (self.mu, self.strip.limit);
+        let mut stages = self.used_mut().iter_mut().peekable();
+        while let Some(s) = stages.next() {
+            let (kept, crease) =
+                stages.peek().map_or((R::ZERO, R::ZERO), |n| (n.kept.c, n.crease.c));
+            s.dual = duals(s.dual, kept - s.kept.c, crease - s.crease.c, limit, mu);
+        }
+        self.keep();
+    }
     /// Takes what was evaluated for good.
     pub fn keep(&mut self) {
         self.used_mut().iter_mut().for_each(|s| s.kept = s.crease);
@@ -219,6 +231,23 @@ impl<R: Real, const N: usize> Body<R, N> {
             (s.kept_frame, s.kept_pair) = (s.frame, s.pair);
         }
         self.end.kept_pair = self.end.pair;
+    }
+    /// Everything as it was accepted last, to the bit, from what was marked then.
+    pub fn recall(&mut self) {
+        self.base = self.kept_base;
+        let mut last = self.base;
+        for s in self.used_mut() {
+            (s.crease, s.frame, s.pair) = (s.kept, s.kept_frame, s.kept_pair);
+            (s.turn, last) = (Turn::of(s.crease), s.frame);
+        }
+        self.finish(&last);
+        self.aim();
+    }
+    /// Sets what is placed aside as the step: `place(1)` brings it back.
+    pub fn set_aside(&mut self) {
+        for s in self.used_mut() {
+            s.step = Crease { psi: s.crease.psi - s.kept.psi, c: s.crease.c - s.kept.c };
+        }
     }
     /// As contact sees it.
     pub fn pose(&self) -> Pose<'_, R> {

@@ -39,7 +39,7 @@ impl Settings {
         let asked = match fidelity {
             Fidelity::Draft => dial(15, 1e-3, 1e-4, 1e-7),
             Fidelity::Standard => Self::STEP,
-            Fidelity::Fine => dial(200, 1e-6, 1e-9, 1e-11),
+            Fidelity::Fine => Self { thorough: true, ..dial(200, 1e-6, 1e-9, 1e-11) },
             Fidelity::Reference => Self::EXACT,
         };
         if size_of::<R>() > size_of::<f32>() {

@@ -124,8 +124,8 @@ impl<R: Real> CellMass<R> {
     }
 }
 
-/// The model of a cell's inertia (or weight), of other forces on its vertices, and of a pull `lean` at its normal. Where
-/// `rough`, forces do not turn and normals are pulled as if they were where they are pulled to.
+/// The model of a cell's inertia (or weight), of other forces on its vertices, and of a pull `lean` at its normal. As far
+/// as it is `rough`, forces do not turn and normals are pulled as if they were where they are pulled to.
 #[inline(always)]
 pub fn model<R: Real>(
     strip: &Strip<R>,
@@ -133,7 +133,7 @@ pub fn model<R: Real>(
     cell: &Cell<'_, R>,
     others: &[Pair<R>; 2],
     lean: V3<R>,
-    rough: bool,
+    rough: R,
 ) -> Model<R> {
     let (mass, spread, kappa) = (&strip.mass, cell.spread, motion.kappa);
     let d = cell.gaps();
@@ -152,9 +152,10 @@ pub fn model<R: Real>(
     let all = [g[0] + a0, g[1] + b0, g[2] + a1, g[3] + b1];
     let slide = slides(strip, cell);
     let mx = mass.times(spread, &cell.x).map(|v| v * kappa);
-    let (none, torque) = ([V3([R::ZERO; 3]); 4], cell.frame.n.cross(lean));
-    let first = (g, all, grown, lean);
-    let second = if rough { (none, none, none, cell.frame.n * -lean.norm()) } else { first };
+    let (torque, turn) = (cell.frame.n.cross(lean), R::one() - rough);
+    let turned = |f: &Four<V3<R>>| f.map(|f| f * turn);
+    let lean = lean * turn - cell.frame.n * (lean.norm() * rough);
+    let second = (turned(&g), turned(&all), turned(&grown), lean);
     let mut model = Model {
         x: wrench(&cell.x, &all),
         c: [

@@ -8,7 +8,6 @@ use super::closure::Hold;
 use super::contact::touch::{Push, Touch, four, stiffen_by};
 use super::inertia::Model;
 use super::joint::{Turn, about};
-use super::newton::accept;
 use super::report::{Report, Settings};
 use super::resample::Pair;
 use super::riccati::{Tie, Value, plus};
@@ -79,7 +78,7 @@ impl<R: Real, const N: usize> Body<R, N> {
             }
             let closes = self.ajar() < before * (R::one() - share * R::of(0.1));
             if closes && self.inside() {
-                accept(self);
+                self.accept();
                 return share;
             }
             share *= R::of(0.5);

@@ -17,6 +17,9 @@ pub struct Settings {
     pub shifts: u32,
     /// Last barrier parameter, as a share of the crease stiffness.
     pub barrier: f64,
+    /// Where the model has no minimum, the best of several that have is followed rather than the first: fewer iterations,
+    /// and fewer steps that use them up, for up to twice the time.
+    pub thorough: bool,
 }
 
 impl Settings {
@@ -28,6 +31,7 @@ impl Settings {
         trials: 12,
         shifts: 24,
         barrier: 1e-9,
+        thorough: false,
     };
     /// For rest shapes, and as an oracle.
     pub const EXACT: Self = Self {
@@ -37,6 +41,7 @@ impl Settings {
         trials: 20,
         shifts: 24,
         barrier: 1e-13,
+        thorough: true,
     };
 }
 

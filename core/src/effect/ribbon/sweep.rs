@@ -21,7 +21,7 @@ use crate::real::{Real, V3};
 use nalgebra::{SMatrix, SVector};
 
 /// What a shift weighs on a slope, against an angle: slopes move by more.
-pub const SLOPES: f64 = 0.1;
+pub const SLOPES: f64 = 0.03;
 
 /// What a segment is followed by.
 #[derive(Clone, Copy)]
@@ -62,8 +62,8 @@ struct Carried<R> {
     shift: R,
     /// The start moves too, and the end with it.
     drift: bool,
-    /// Without what a wrench gains by turning.
-    rough: bool,
+    /// Share that is counted of what a wrench gains by turning.
+    turns: R,
 }
 
 #[inline(always)]
@@ -112,8 +112,8 @@ impl<R: Real, const N: usize> Body<R, N> {
             let others = [pull.gradient, next.pulled];
             let m = pressed(strip, motion, &cell, others, ask.guide(j), (touch, j), *rough);
             let mut bent = bending::derivatives(strip, j, s.crease, next.crease);
-            if *rough {
-                bent.h = bending::rough(strip, j, s.crease, next.crease);
+            if *rough > R::ZERO {
+                bent.roughen(strip, j, [s.crease, next.crease], *rough);
             }
             let w = wall(spread, strip.limit, *mu, s.dual);
             if let Some(turn) = next.turn {
@@ -143,14 +143,14 @@ impl<R: Real, const N: usize> Body<R, N> {
             fall: R::ZERO,
             shift: self.strip.stiff * R::of(2.0) * shift,
             drift: self.looped() && self.strip.free,
-            rough: self.rough,
+            turns: R::one() - self.rough,
         }
     }
 
     /// The hinge at the start, then the start itself.
     fn factor_start(&mut self, carried: &mut Carried<R>, turn: Turn<R>) -> Option<R> {
         let Carried { value, fall, shift, drift, .. } = carried;
-        let beyond = &if carried.rough { [R::ZERO; 6] } else { carried.beyond };
+        let beyond = &carried.beyond.map(|w| w * carried.turns);
         let (shift, drift) = (*shift, *drift);
         let axes = turn.axes(&self.base).map(|a| about(a, self.base.p));
         let o = R::ZERO;
@@ -242,7 +242,7 @@ impl<R: Real> Carried<R> {
         let p = s.frame.p + s.frame.t * cell;
         let axes = turn.axes(&s.frame).map(|a| about(a, p));
         let [mixed, bend] = turn.second_axes(&s.frame);
-        let beyond = if self.rough { [R::ZERO; 6] } else { self.beyond };
+        let beyond = self.beyond.map(|w| w * self.turns);
         let [torque, force] = halves(&beyond);
         let moment = torque - p.cross(force);
         let (g, h) = (&bent.g, &bent.h);
@@ -297,7 +297,7 @@ pub(super) fn pressed<R: Real, T: Touch<R>>(
     others: [Pair<R>; 2],
     lean: V3<R>,
     (touch, segment): (&T, usize),
-    rough: bool,
+    rough: R,
 ) -> Model<R> {
     if !T::ACTIVE {
         return model(strip, motion, cell, &others, lean, rough);

@@ -128,10 +128,11 @@ fn best_of(run: impl Fn() -> Vec<Mark>) -> Vec<Mark> {
     [b, c].into_iter().fold(a, |best, next| if end(&next) < end(&best) { next } else { best })
 }
 
-/// The core's own solver, to rounding.
+/// The core's own solver as it is fastest, to rounding.
 fn newton(ribbon: &Long, h: f64, floor: &Floor) -> Vec<Mark> {
     let mut copy = Box::new(ribbon.clone());
-    copy.settings = Settings { iterations: 300, tolerance: 1e-9, ..Settings::EXACT };
+    copy.settings =
+        Settings { iterations: 300, tolerance: 1e-9, thorough: false, ..Settings::EXACT };
     let mut marks = Vec::with_capacity(301);
     let start = Instant::now();
     copy.step_watched(h, floor, |objective, _| {

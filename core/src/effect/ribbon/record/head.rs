@@ -186,10 +186,14 @@ impl Asked {
     }
     pub(super) fn fields(&mut self, wire: &mut impl Wire) -> Done {
         let Self { gravity, settings, springs, guides } = self;
-        let Settings { iterations, tolerance, closure, trials, shifts, barrier } = settings;
+        let Settings { iterations, tolerance, closure, trials, shifts, barrier, thorough } =
+            settings;
         wire.point(gravity)?;
         [iterations, trials, shifts].into_iter().try_for_each(|n| wire.u32(n))?;
         [tolerance, closure, barrier].into_iter().try_for_each(|x| wire.f64(x))?;
+        let mut search = u8::from(*thorough);
+        wire.u8(&mut search)?;
+        *thorough = search != 0;
         list(springs, &NO_SPRING, "number of springs", wire)?;
         for Spring { crease, rim, target, stiffness } in springs {
             size(crease, wire)?;

@@ -10,7 +10,7 @@
 //! origin  3 f64
 //! state   base t b n p, 12 f64  joint 2 f64  multipliers 6 f64  shifts 2 f64
 //!         each segment: psi c, velocities of A and B, 8 f64  end: velocities of A and B, 6 f64
-//!   1 asked   gravity 3 f64  settings: iterations trials shifts u32, tolerance closure barrier f64
+//!   1 asked   gravity 3 f64  settings: iterations trials shifts u32, tolerance closure barrier f64, thorough u8
 //!             springs u8, each: crease u32 rim u8 target 3 f64 stiffness f64
 //!             guides u8, each: segment u32 normal 3 f64 stiffness f64
 //!   2 base    t b n p, 12 f64: the start was carried there

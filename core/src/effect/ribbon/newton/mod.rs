@@ -1,30 +1,25 @@
 //! Newton's method on a ribbon: shift, step, line search, barrier, multipliers.
 //!
 //! Each iteration is one backward sweep and a trial or two, each of which is a forward sweep that answers to where it
-//! leads. The first iterations of a step in time leave out what forces gain by turning: those forces are still inertia's
-//! against the whole way. Where the model has no minimum, or no share of its step lowers the merit, a shift of both
-//! creases' unknowns grows. Rulings at their bounds are held there on the way, and only where that does not help is the
-//! whole step shortened for them. A loop's multipliers move whenever its Lagrangian is nearly minimised; a loop that is
-//! still open when the iterations are used up is closed by `mend`.
+//! leads (`descent`). A loop's multipliers move whenever its Lagrangian is nearly minimised; a loop that is still open when
+//! the iterations are used up is closed by `mend`.
 //!
 //! Source: ours; Levenberg's shift, Fiacco and McCormick's barrier, Powell's multipliers. Checked by
 //! `tests/ribbon_newton.rs`, `tests/ribbon_loops.rs`, `tests/ribbon_hard_cases.rs`.
 
-use super::barrier::duals;
 use super::body::{Body, Energy};
 use super::contact::touch::Touch;
 use super::load::{Ask, Loads};
 use super::report::{Report, Settings, Status};
 use crate::real::{Num, Real};
+use descent::Direction;
 
-/// Share of the predicted fall that a trial must reach.
-const ARMIJO: f64 = 1e-4;
+mod descent;
+
 /// A shift below this share of the stiffness is none.
 const LEAST_SHIFT: f64 = 1e-8;
 /// A shift above this is hopeless.
 const MOST_SHIFT: f64 = 1e12;
-/// Iterations at the start of a step in time whose model is Gauss and Newton's.
-const ROUGH: u32 = 2;
 /// The shift that a solve begins with.
 const FIRST_SHIFT: f64 = 1.0;
 /// What a shift grows by.
@@ -35,12 +30,10 @@ const FIRST_BARRIER: f64 = 1e-5;
 const FIRST_PENALTY: f64 = 3e4;
 /// Largest penalty there, in units of a crease's stiffness.
 const MOST_PENALTY: f64 = 1e5;
+/// The same in `f32`, where a stiffer joint drowns the merit.
+const MOST_PENALTY_SINGLE: f64 = 1e3;
 /// A loop never opens wider than this on the way, unless it is: radians, or share of its length.
 const WIDEST: f64 = 0.05;
-/// A trial that meets something is not shortened by more than this at once.
-const LEAST_FREE: f64 = 0.02;
-/// Share of the way searched by contact that iterations may go; the rest is for closing.
-const RANGE: f64 = 0.75;
 
 /// The method; a solve does not depend on the one before it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -65,19 +58,8 @@ struct Run<'a, R: Real, L, T, const N: usize> {
     opened: R,
     joined: R,
     moved: R,
-}
-
-/// A direction from the sweeps.
-#[derive(Clone, Copy)]
-struct Direction<R> {
-    fall: R,
-    /// The largest change of a crease, were the whole step taken.
-    size: R,
-    /// The share to try first.
-    longest: R,
-    /// Slopes may be held at their bounds; and some were.
-    hold: bool,
-    held: bool,
+    /// The shift that sufficed when last one was needed.
+    sufficed: R,
 }
 
 impl<R: Real> Solver<R> {
@@ -172,18 +154,14 @@ impl<'a, R: Real, L: Loads<R>, T: Touch<R>, const N: usize> Run<'a, R, L, T, N> 
             opened: gap,
             joined: gap,
             moved,
+            sufficed: R::ZERO,
         }
     }
 
     /// One iteration; answers how the solve ended, if it did.
     fn iterate(&mut self) -> Option<Status> {
-        let Some(mut to) = self.direction() else { return Some(Status::Stalled) };
+        let Some((to, found)) = self.descend() else { return Some(Status::Stalled) };
         self.report.iterations += 1;
-        let mut found = self.search(&mut to);
-        if to.held && found.is_none_or(|(_, share)| share < R::of(0.1)) {
-            (to.longest, to.hold, to.held) = (self.body.solve(false).0[1], false, false);
-            found = self.search(&mut to);
-        }
         (self.report.fall, self.report.size) = (to.fall, to.size);
         if !(to.size.finite() && to.fall.finite()) {
             return Some(Status::Held);
@@ -192,49 +170,6 @@ impl<'a, R: Real, L: Loads<R>, T: Touch<R>, const N: usize> Run<'a, R, L, T, N> 
             Some((energy, share)) => self.take(&to, energy, share),
             None => self.refuse(&to),
         }
-    }
-
-    /// Factors, with as much shift as that needs.
-    fn direction(&mut self) -> Option<Direction<R>> {
-        self.touch.press(&self.body.pose());
-        self.body.rough = self.report.iterations < ROUGH && self.body.motion.kappa > R::ZERO;
-        for _ in 0..self.settings.shifts {
-            self.report.factorisations += 1;
-            let shift = self.solver.shift;
-            if let Some(fall) = self.body.factor_touching(self.ask, self.loads, self.touch, shift) {
-                let (size, longest) = (R::ZERO, R::one());
-                return Some(Direction { fall, size, longest, hold: true, held: false });
-            }
-            self.solver.grow();
-        }
-        None
-    }
-
-    /// Halves the share until the merit falls.
-    fn search(&mut self, to: &mut Direction<R>) -> Option<(Energy<R>, R)> {
-        let (length, widest) = (self.body.strip.length(), self.opened.larger(R::of(WIDEST)));
-        let before = self.energy.total(self.body.mu);
-        let slack = before.magnitude() * R::of(8.0 * R::EPSILON);
-        let mut share = to.longest;
-        for trial in 0..self.settings.trials {
-            let rolled = self.body.roll(share, to.hold);
-            if trial == 0 {
-                (to.size, to.held) = (rolled.size / share, rolled.held > 0);
-            }
-            let free = self.touch.free(&self.body.pose(), R::of(RANGE));
-            if free < R::one() {
-                share *= free.larger(R::of(LEAST_FREE));
-                continue;
-            }
-            let trial = self.weigh();
-            let closed = !self.body.looped() || self.body.gap.size(length) <= widest;
-            let enough = before - to.fall * share * R::of(ARMIJO) + slack;
-            if closed && trial.total(self.body.mu) <= enough {
-                return Some((trial, share));
-            }
-            share *= R::of(0.5);
-        }
-        None
     }
 
     /// The merit of what is placed.
@@ -255,13 +190,14 @@ impl<'a, R: Real, L: Loads<R>, T: Touch<R>, const N: usize> Run<'a, R, L, T, N> 
     /// Takes a trial.
     fn take(&mut self, to: &Direction<R>, energy: Energy<R>, share: R) -> Option<Status> {
         let fell = self.energy.total(self.body.mu) - energy.total(self.body.mu);
-        let won = fell / (to.fall * share * (R::one() - share * R::of(0.5)));
-        accept(self.body);
+        let won = fell / to.foretold(share);
+        self.body.accept();
         self.energy = energy;
         if share < to.longest * R::of(0.3) || (!to.held && won < R::of(0.1)) {
             self.solver.grow();
-        } else if share >= to.longest && (to.held || won > R::of(0.5)) {
-            self.solver.shrink(if won > R::of(0.8) { 0.1 } else { 0.25 });
+        } else if share >= to.longest && won > R::of(if to.held { 0.1 } else { 0.5 }) {
+            let well = if self.settings.thorough { 0.03 } else { 0.1 };
+            self.solver.shrink(if won > R::of(0.8) { well } else { 0.25 });
         }
         self.joined = self.body.gap.size(self.body.strip.length());
         let small = to.size <= R::of(self.settings.tolerance) && share >= R::one();
@@ -303,9 +239,10 @@ impl<'a, R: Real, L: Loads<R>, T: Touch<R>, const N: usize> Run<'a, R, L, T, N> 
         !self.body.looped() || self.joined <= R::of(self.settings.closure)
     }
 
-    /// Lowers the barrier.
+    /// Lowers the barrier; slowly where a loop has to be kept closed meanwhile.
     fn relax(&mut self) {
-        self.body.mu = (self.body.mu * R::of(0.1)).larger(self.floor);
+        let share = if self.body.looped() { 0.1 } else { 0.01 };
+        self.body.mu = (self.body.mu * R::of(share)).larger(self.floor);
     }
 
     /// Looks after a loop: stiffens what opens, moves the multipliers when the Lagrangian is nearly minimised.
@@ -333,7 +270,9 @@ impl<'a, R: Real, L: Loads<R>, T: Touch<R>, const N: usize> Run<'a, R, L, T, N> 
     }
 
     fn stiffen(&mut self) {
-        let most = self.body.strip.stiff * R::of(MOST_PENALTY);
+        let single = size_of::<R>() == size_of::<f32>();
+        let most = if single { MOST_PENALTY_SINGLE } else { MOST_PENALTY };
+        let most = self.body.strip.stiff * R::of(most);
         let hold = &mut self.body.hold;
         if hold.turn >= most {
             return;
@@ -364,15 +303,4 @@ fn start_barrier<R: Real, const N: usize>(body: &mut Body<R, N>, floor: R) {
         let u = (far - s.kept.c) / limit;
         s.dual = [mu / (R::one() - u), mu / (R::one() + u)];
     }
-}
-
-/// Duals follow, then the point is kept.
-pub(super) fn accept<R: Real, const N: usize>(body: &mut Body<R, N>) {
-    let (mu, limit) = (body.mu, body.strip.limit);
-    let mut stages = body.used_mut().iter_mut().peekable();
-    while let Some(s) = stages.next() {
-        let (kept, crease) = stages.peek().map_or((R::ZERO, R::ZERO), |n| (n.kept.c, n.crease.c));
-        s.dual = duals(s.dual, kept - s.kept.c, crease - s.crease.c, limit, mu);
-    }
-    body.keep();
 }
