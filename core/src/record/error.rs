@@ -55,7 +55,9 @@ pub enum RecordError {
 impl fmt::Display for RecordError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Version(v) => write!(f, "the recording has version {v}, not {}", super::VERSION),
+            Self::Version(v) => {
+                write!(f, "the recording has version {v}, which this build does not read")
+            }
             Self::Unknown(what) => write!(f, "the recording has an unknown {what}"),
             Self::Spec(error) => write!(f, "the recording asks for what cannot be: {error}"),
             Self::Tier { recorded, here } => {

@@ -188,7 +188,7 @@ impl Header {
 
     /// All fields from the magic on. Reading refuses another magic or version before it goes on.
     pub(super) fn fields(&mut self, wire: &mut impl Wire) -> Done {
-        preamble::<KIND>(wire)?;
+        preamble::<KIND, VERSION>(wire)?;
         let Self { tier, grid, made_by, setup } = self;
         wire.code(tier)?;
         grid.iter_mut().try_for_each(|n| wire.u8(n))?;
@@ -197,8 +197,8 @@ impl Header {
     }
 }
 
-/// Magic and version; the magic as its four bytes, little end first, so that each kind of recording has its own code.
-pub(crate) fn preamble<const KIND: u32>(wire: &mut impl Wire) -> Done {
+/// Magic and version; the magic as its four bytes, little end first, so that each kind of recording has its own code and counts its own versions.
+pub(crate) fn preamble<const KIND: u32, const VERSION: u16>(wire: &mut impl Wire) -> Done {
     let (mut magic, mut version) = (KIND.to_le_bytes(), VERSION);
     wire.bytes(&mut magic)?;
     if magic != KIND.to_le_bytes() {

@@ -1,12 +1,11 @@
 //! Reading a recording: every answer but a sound recording is an error.
 
-use super::KIND;
-use super::MAX_BYTES;
 use super::crc::Crc;
 use super::error::RecordError;
 use super::header::{Header, preamble};
 use super::piece::{Piece, Totals};
 use super::wire::In;
+use super::{KIND, MAX_BYTES, VERSION};
 use crate::hand::{Sample, View};
 
 /// One thing that happened.
@@ -42,7 +41,7 @@ impl<'a> Reader<'a> {
             return Err(RecordError::TooLarge);
         }
         // What another version holds, and where its checksum stands, is not known here.
-        preamble::<KIND>(&mut In(bytes))?;
+        preamble::<KIND, VERSION>(&mut In(bytes))?;
         let mut stream = In(checked(bytes)?);
         let mut header = Header::blank();
         header.fields(&mut stream)?;

@@ -19,13 +19,13 @@
 //! crc u32     CRC-32 of all before it; nothing may follow
 //! ```
 //!
-//! `asked` and `base` stand where they changed. Numbers of `f32` are written as `f64`, which keeps them. The version is that
-//! of [`crate::record`].
+//! `asked` and `base` stand where they changed. Numbers of `f32` are written as `f64`, which keeps them. A book's
+//! versions count apart.
 //!
 //! # Hard case
 //!
-//! Contact and loads of a caller's own are not in it: who plays it hands them in again, as the step of [`replay`], or of [`Player`] where ribbons
-//! touch each other.
+//! Contact and loads of a caller's own are not in it: who plays it hands them in again, as the step of [`replay`], or of
+//! [`Player`] where ribbons touch each other.
 //!
 //! Source: ours. Checked by `tests/ribbon_record.rs`.
 
@@ -40,3 +40,5 @@ pub use write::Recorder;
 pub const MAGIC: [u8; 4] = *b"DLB1";
 /// The same as a number.
 const KIND: u32 = u32::from_le_bytes(MAGIC);
+/// The layout this build writes, and the only one it reads.
+pub const VERSION: u16 = 3;

@@ -1,7 +1,7 @@
 //! Reading a ribbon's recording, and playing it again: every answer but a sound recording is an error.
 
-use super::KIND;
 use super::head::{ASKED, Asked, BASE, END, Head, STEP, frame, state, state_numbers};
+use super::{KIND, VERSION};
 use crate::effect::ribbon::frame::Frame;
 use crate::effect::ribbon::spec::RibbonSpec;
 use crate::effect::ribbon::{Report, Ribbon};
@@ -34,7 +34,7 @@ impl<'a> Reader<'a> {
             return Err(RecordError::TooLarge);
         }
         // What another version holds, and where its checksum stands, is not known here.
-        preamble::<KIND>(&mut In(bytes))?;
+        preamble::<KIND, VERSION>(&mut In(bytes))?;
         let (body, sum) = bytes.split_last_chunk().ok_or(RecordError::Truncated)?;
         let mut crc = Crc::START;
         crc.take(body);
@@ -42,7 +42,7 @@ impl<'a> Reader<'a> {
             return Err(RecordError::Checksum);
         }
         let (mut rest, mut head) = (In(body), Head::blank());
-        preamble::<KIND>(&mut rest)?;
+        preamble::<KIND, VERSION>(&mut rest)?;
         head.fields(&mut rest)?;
         head.spec.check(MOST_SEGMENTS)?;
         let mut stream = rest;

@@ -1,7 +1,7 @@
 //! Making a recording of a ribbon.
 
-use super::KIND;
 use super::head::{ASKED, Asked, BASE, END, Head, STEP, frame, state};
+use super::{KIND, VERSION};
 use crate::effect::ribbon::frame::Frame;
 use crate::effect::ribbon::{Report, Ribbon};
 use crate::real::Real;
@@ -132,7 +132,7 @@ fn whole<R: Real, const N: usize>(
     ribbon: &mut Ribbon<R, N>,
     wire: &mut impl Wire,
 ) -> Done {
-    preamble::<KIND>(wire)?;
+    preamble::<KIND, VERSION>(wire)?;
     head.fields(wire)?;
     state(ribbon, wire)
 }
