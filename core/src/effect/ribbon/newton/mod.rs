@@ -31,7 +31,7 @@ const FIRST_PENALTY: f64 = 3e4;
 /// Largest penalty there, in units of a crease's stiffness.
 const MOST_PENALTY: f64 = 1e5;
 /// The same in `f32`, where a stiffer joint drowns the merit.
-const MOST_PENALTY_SINGLE: f64 = 1e3;
+const MOST_PENALTY_SINGLE: f64 = 1e2;
 /// A loop never opens wider than this on the way, unless it is: radians, or share of its length.
 const WIDEST: f64 = 0.05;
 
