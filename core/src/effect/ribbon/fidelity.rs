@@ -19,10 +19,10 @@ impl Settings {
     ///
     /// | | iterations at most | barrier | a step of a helix in `f64`, n = 50, h = 0.01 s: iterations | error of its tip |
     /// |---|---|---|---|---|
-    /// | draft | 15 | 1e-7 | 8 | 1e-5 of its length |
-    /// | standard | 60 | 1e-9 | 10 | 1e-7 |
-    /// | fine | 200 | 1e-11 | 13 | 1e-8 |
-    /// | reference | 1000 | 1e-13 | 15 | |
+    /// | draft | 15 | 1e-7 | 5.4 | 1e-5 of its length |
+    /// | standard | 60 | 1e-9 | 6.4 | 1e-8 |
+    /// | fine, thorough | 200 | 1e-11 | 7.4 | 1e-10 |
+    /// | reference, thorough | 1000 | 1e-13 | 8.4 | |
     ///
     /// # Accuracy
     ///

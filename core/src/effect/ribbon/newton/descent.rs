@@ -3,8 +3,8 @@
 //! The first iteration of a step in time leaves out what forces gain by turning: those forces are still inertia's against
 //! the whole way. After it the model is exact. Where that has no minimum a shift of both creases' unknowns grows until it
 //! has. There are other ways to give it one: to leave out a share of what forces gain by turning, or all of it. None is
-//! best everywhere, so a thorough solve follows each and takes the lowest merit. Rulings at their bounds are held there on the way, and only where
-//! that does not help is the whole step shortened for them.
+//! best everywhere, so a thorough solve follows each and takes the lowest merit. Rulings at their bounds are held there on
+//! the way, and only where that does not help is the whole step shortened for them.
 //!
 //! Source: ours; Levenberg's shift, Gauss and Newton's model, and what lies between. Checked by `tests/ribbon_newton.rs`.
 
