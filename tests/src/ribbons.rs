@@ -70,10 +70,15 @@ impl<R: Real> Loads<R> for Ground {
 
 /// A wavy ribbon of three metres, free, half a metre above the ground.
 pub fn falling<R: Real, const N: usize>(segments: usize) -> Box<Ribbon<R, N>> {
+    falling_from(segments, 0.5)
+}
+
+/// The same from another height, metres.
+pub fn falling_from<R: Real, const N: usize>(segments: usize, height: f64) -> Box<Ribbon<R, N>> {
     let long = RibbonSpec { length_m: 3.0, root: Root::Free, ..spec(segments) };
     let mut ribbon = open::<R, N>(&long);
     ribbon.gravity = [0.0, 0.0, -9.81];
-    let base = Frame::at(V3([0.0, 0.0, 0.5].map(R::of)));
+    let base = Frame::at(V3([0.0, 0.0, height].map(R::of)));
     let wave = |j: usize, k: f64| (j as f64 * k).sin();
     ribbon
         .lay(&base, |j| Crease { psi: R::of(0.1 * wave(j, 0.05)), c: R::of(0.2 * wave(j, 0.03)) });
@@ -117,7 +122,8 @@ pub fn iterations_to<const N: usize>(
     share: f64,
 ) -> Option<usize> {
     let mut copy = Box::new(ribbon.clone());
-    copy.settings = Settings { iterations: 300, tolerance: 1e-9, ..Settings::EXACT };
+    let thorough = copy.settings.thorough;
+    copy.settings = Settings { iterations: 300, tolerance: 1e-9, thorough, ..Settings::EXACT };
     let mut trace = Vec::new();
     copy.step_watched(h, loads, |f, _| trace.push(f));
     let (first, best) = (trace[0], trace.iter().copied().fold(f64::INFINITY, f64::min));
