@@ -110,7 +110,7 @@ impl BookmarkSpec {
     }
 }
 
-/// A bookmark, placed by the caller: some 80 kB in `f32`.
+/// A bookmark, placed by the caller: some 84 kB in `f32`.
 #[derive(Debug, Clone)]
 pub struct Bookmark<R: Real, G: Grid> {
     ribbon: Ribbon<R, SEGMENTS>,
