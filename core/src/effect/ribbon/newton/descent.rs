@@ -53,6 +53,9 @@ impl<R: Real> Direction<R> {
     }
 }
 
+/// What a share of the step leads to, if it lowers the merit: the energy there, and the share.
+type Found<R> = Option<(Energy<R>, R)>;
+
 /// What makes a model that has a minimum.
 #[derive(Clone, Copy)]
 struct Model<R> {
@@ -83,7 +86,7 @@ struct Auction<R> {
 
 impl<R: Real, L: Loads<R>, T: Touch<R>, const N: usize> Run<'_, R, L, T, N> {
     /// The direction, and what was found along it: the merit there and the share. Nothing where no shift suffices.
-    pub(super) fn descend(&mut self) -> Option<(Direction<R>, Option<(Energy<R>, R)>)> {
+    pub(super) fn descend(&mut self) -> Option<(Direction<R>, Found<R>)> {
         self.touch.press(&self.body.pose());
         let first = self.report.iterations == 0 && self.body.motion.kappa > R::ZERO;
         self.body.rough = if first { R::one() } else { R::ZERO };
@@ -123,7 +126,7 @@ impl<R: Real, L: Loads<R>, T: Touch<R>, const N: usize> Run<'_, R, L, T, N> {
     }
 
     /// Halves the share until the merit falls.
-    fn search(&mut self, to: &mut Direction<R>) -> Option<(Energy<R>, R)> {
+    fn search(&mut self, to: &mut Direction<R>) -> Found<R> {
         let before = self.energy.total(self.body.mu);
         let slack = before.magnitude() * R::of(8.0 * R::EPSILON);
         let mut share = to.longest;
