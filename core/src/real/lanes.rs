@@ -1,7 +1,8 @@
 //! Numbers side by side: eight of them, and as many as travel together through a kernel.
 //!
 //! Eight is fixed here, in the source, on every target: sums run in eight partial sums. Where there is a
-//! vector unit a kernel takes eight rows at a time, elsewhere one: eight would only spill.
+//! vector unit a kernel takes eight rows at a time, elsewhere one: eight would only spill. A kernel with many
+//! intermediate results takes as many as one register holds.
 //!
 //! # Determinism
 //!
@@ -10,20 +11,25 @@
 //! however many travel together. The feature `one-lane` makes it one everywhere, and the bits stay.
 
 use super::{Num, Real};
-use wide::{f32x8, f64x8};
+use wide::{f32x4, f32x8, f64x2, f64x4, f64x8};
 
 /// Partial sums, rows of a panel of the factor, and what the rows of a column are padded to.
 pub const LANES: usize = 8;
 
-/// What a kernel computes with: one row of a column, or eight. Row `i` only ever meets row `i`.
+/// What a kernel computes with: one row of a column, or several. Row `i` only ever meets row `i`.
 pub trait Lanes<R: Real>: Num {
-    /// Rows that travel together: 1 or 8.
+    /// Rows that travel together: at most [`LANES`].
     const WIDTH: usize;
+
+    /// Lane by lane.
+    fn each(lane: impl FnMut(usize) -> R) -> Self;
 
     /// Numbers from `from[at..]`; zeros where the slice is too short.
     fn load(from: &[R], at: usize) -> Self;
     /// Into `to[at..]`; nothing where the slice is too short.
     fn store(self, to: &mut [R], at: usize);
+    /// The number in a lane; lanes are counted round.
+    fn lane(self, i: usize) -> R;
     /// The same number in every lane.
     fn all(value: R) -> Self;
     /// One in the lanes of rows `k..` that are in `from..to`, else zero.
@@ -56,7 +62,7 @@ fn inside<R: Real>(k: usize, from: usize, to: usize) -> R {
 }
 
 macro_rules! lanes {
-    ($t:ty, $r:ty) => {
+    ($t:ty, $r:ty, $width:expr) => {
         impl Num for $t {
             #[inline(always)]
             fn of(value: f64) -> Self {
@@ -90,19 +96,27 @@ macro_rules! lanes {
         }
 
         impl Lanes<$r> for $t {
-            const WIDTH: usize = LANES;
+            const WIDTH: usize = $width;
+            #[inline(always)]
+            fn each(lane: impl FnMut(usize) -> $r) -> Self {
+                Self::new(core::array::from_fn(lane))
+            }
             #[inline(always)]
             fn load(from: &[$r], at: usize) -> Self {
-                match from.get(at..).and_then(<[$r]>::first_chunk::<LANES>) {
-                    Some(eight) => Self::new(*eight),
+                match from.get(at..).and_then(<[$r]>::first_chunk::<$width>) {
+                    Some(lanes) => Self::new(*lanes),
                     None => Self::ZERO,
                 }
             }
             #[inline(always)]
             fn store(self, to: &mut [$r], at: usize) {
-                if let Some(eight) = to.get_mut(at..).and_then(<[$r]>::first_chunk_mut::<LANES>) {
-                    *eight = self.to_array();
+                if let Some(lanes) = to.get_mut(at..).and_then(<[$r]>::first_chunk_mut::<$width>) {
+                    *lanes = self.to_array();
                 }
+            }
+            #[inline(always)]
+            fn lane(self, i: usize) -> $r {
+                self.to_array()[i % $width]
             }
             #[inline(always)]
             fn all(value: $r) -> Self {
@@ -114,11 +128,15 @@ macro_rules! lanes {
             }
             #[inline(always)]
             fn largest(self) -> $r {
-                let [a, b, c, d, e, f, g, h] = self.to_array();
-                a.larger(b).larger(c.larger(d)).larger(e.larger(f).larger(g.larger(h)))
+                let [first, rest @ ..] = self.to_array();
+                rest.into_iter().fold(first, Num::larger)
             }
         }
+    };
+}
 
+macro_rules! eight {
+    ($t:ty, $r:ty) => {
         impl Eight<$r> for $t {
             #[inline(always)]
             fn array(self) -> [$r; LANES] {
@@ -133,9 +151,17 @@ macro_rules! lanes {
                 <$t>::transpose(rows)
             }
         }
+    };
+}
 
+macro_rules! one {
+    ($r:ty) => {
         impl Lanes<$r> for $r {
             const WIDTH: usize = 1;
+            #[inline(always)]
+            fn each(mut lane: impl FnMut(usize) -> $r) -> Self {
+                lane(0)
+            }
             #[inline(always)]
             fn load(from: &[$r], at: usize) -> Self {
                 from.get(at).copied().unwrap_or(0.0)
@@ -145,6 +171,10 @@ macro_rules! lanes {
                 if let Some(slot) = to.get_mut(at) {
                     *slot = self;
                 }
+            }
+            #[inline(always)]
+            fn lane(self, _: usize) -> $r {
+                self
             }
             #[inline(always)]
             fn all(value: $r) -> Self {
@@ -162,5 +192,12 @@ macro_rules! lanes {
     };
 }
 
-lanes!(f32x8, f32);
-lanes!(f64x8, f64);
+lanes!(f32x4, f32, 4);
+lanes!(f32x8, f32, LANES);
+lanes!(f64x2, f64, 2);
+lanes!(f64x4, f64, 4);
+lanes!(f64x8, f64, LANES);
+eight!(f32x8, f32);
+eight!(f64x8, f64);
+one!(f32);
+one!(f64);

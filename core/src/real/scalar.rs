@@ -25,12 +25,16 @@ pub trait Real:
 {
     /// As many as travel together through a kernel on this target.
     type Lanes: Lanes<Self>;
+    /// As many as one vector register of this target holds.
+    type Few: Lanes<Self>;
     /// Eight of them.
     type Eight: Eight<Self>;
     /// `"f32"` or `"f64"`.
     const NAME: &'static str;
     /// Zero, usable in constants.
     const ZERO: Self;
+    /// One, usable in constants.
+    const ONE: Self;
     /// Relative spacing of numbers near one.
     const EPSILON: f64;
 
@@ -61,7 +65,7 @@ use dogleaf_root::root as root_f32;
 use libm::sqrtf as root_f32;
 
 macro_rules! real {
-    ($t:ty, $lanes:ty, $name:literal, $eps:expr, $bits:ty, $nan:literal, $sqrt:path, $sin:path, $cos:path, $exp:path) => {
+    ($t:ty, $lanes:ty, $wide:ty, $few:ty, $name:literal, $eps:expr, $bits:ty, $nan:literal, $sqrt:path, $sin:path, $cos:path, $exp:path) => {
         impl Num for $t {
             #[inline(always)]
             fn of(value: f64) -> Self {
@@ -96,9 +100,23 @@ macro_rules! real {
                 any(target_feature = "sse2", target_feature = "neon", target_feature = "simd128")
             )))]
             type Lanes = Self;
+            #[cfg(all(not(feature = "one-lane"), target_feature = "avx"))]
+            type Few = $wide;
+            #[cfg(all(
+                not(feature = "one-lane"),
+                not(target_feature = "avx"),
+                any(target_feature = "sse2", target_feature = "neon", target_feature = "simd128")
+            ))]
+            type Few = $few;
+            #[cfg(not(all(
+                not(feature = "one-lane"),
+                any(target_feature = "sse2", target_feature = "neon", target_feature = "simd128")
+            )))]
+            type Few = Self;
             type Eight = $lanes;
             const NAME: &'static str = $name;
             const ZERO: Self = 0.0;
+            const ONE: Self = 1.0;
             const EPSILON: f64 = $eps;
             #[inline(always)]
             fn wide(self) -> f64 {
@@ -142,6 +160,8 @@ macro_rules! real {
 real!(
     f32,
     wide::f32x8,
+    wide::f32x8,
+    wide::f32x4,
     "f32",
     1.1920929e-7,
     u32,
@@ -154,6 +174,8 @@ real!(
 real!(
     f64,
     wide::f64x8,
+    wide::f64x4,
+    wide::f64x2,
     "f64",
     2.220446049250313e-16,
     u64,

@@ -9,11 +9,13 @@ use super::barrier::wall;
 use super::bending;
 use super::body::Body;
 use super::contact::touch::Touch;
+use super::forces::Pushed;
 use super::frame::{Six, dot6};
+use super::inertia::Common;
 use super::joint::{Crease, about};
 use super::load::{Ask, Loads, Pull};
 use super::resample::Pair;
-use super::sweep::{pressed, pulls};
+use super::sweep::pulls;
 use crate::real::{Real, V3};
 
 impl<R: Real, const N: usize> Body<R, N> {
@@ -30,6 +32,7 @@ impl<R: Real, const N: usize> Body<R, N> {
         mut take: impl FnMut(usize, [R; 2]),
     ) -> Six<R> {
         let strip = &self.strip;
+        let common = Common::of(strip, &self.motion, R::ZERO, |x| x);
         let mut beyond = [R::ZERO; 6];
         let mut at_start = [R::ZERO; 6];
         if self.looped() {
@@ -47,15 +50,12 @@ impl<R: Real, const N: usize> Body<R, N> {
             pulls(ask, loads, j, &s.pair, &mut pull);
             let own = pull.gradient;
             let cell = Self::cell(s, (&next.0, &next.1, next.2.c));
-            let m = pressed(
-                strip,
-                &self.motion,
-                &cell,
-                [own, pulled],
-                ask.guide(j),
-                (touch, j),
-                R::ZERO,
-            );
+            let mut m = common.model(&cell);
+            let pulls = [own, pulled];
+            let pushed = Pushed { x: cell.x, pulls, lean: ask.guide(j), rough: R::ZERO };
+            let more = pushed.model(strip, &s.frame, (touch, j));
+            m.x.iter_mut().zip(&more.x).for_each(|(x, &m)| *x += m);
+            m.c = [m.c[0] + more.c[0], m.c[1] + more.c[1]];
             let bent = bending::derivatives(strip, j, s.crease, next.2);
             let w = wall(cell.spread, strip.limit, self.mu, s.dual);
             if j + 1 < strip.n {

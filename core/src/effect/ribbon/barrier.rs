@@ -8,7 +8,7 @@
 //! Checked by `tests/ribbon_derivatives.rs`.
 
 use super::elementary::logarithm;
-use crate::real::Real;
+use crate::real::{Num, Real};
 
 /// A trial keeps at least this share of its distance to a limit.
 const KEPT: f64 = 0.005;
@@ -59,14 +59,11 @@ pub fn room<R: Real>(spread: R, limit: R) -> R {
 }
 
 /// Slope and curvature of a cell's barrier.
-#[inline]
-pub fn wall<R: Real>(spread: R, limit: R, mu: R, dual: [R; 2]) -> Wall<R> {
-    let u = spread / limit;
-    let (over, under) = (R::one() - u, R::one() + u);
-    Wall {
-        slope: mu * (R::one() / over - R::one() / under) / limit,
-        curve: (dual[0] / over + dual[1] / under) / (limit * limit),
-    }
+#[inline(always)]
+pub fn wall<T: Num>(spread: T, limit: T, mu: T, dual: [T; 2]) -> Wall<T> {
+    let (over, under) = (limit - spread, limit + spread);
+    let (over, under) = (T::one() / over, T::one() / under);
+    Wall { slope: mu * (over - under), curve: (dual[0] * over + dual[1] * under) / limit }
 }
 
 /// The largest share of a step that stays inside.

@@ -1,5 +1,6 @@
 //! The ribbon while it is solved for: creases, frames, vertices, and the value of everything that is minimised.
 
+use super::assemble::Room;
 use super::barrier::{Logs, duals, room};
 use super::bending;
 use super::closure::{Gap, Hold};
@@ -116,6 +117,8 @@ pub struct Body<R, const N: usize> {
     pub joint: [R; 2],
     /// The loop's joint as evaluated.
     pub gap: Gap<R>,
+    /// Where segments are assembled.
+    pub(super) room: Room<R>,
 }
 
 /// What is minimised, in its parts, joules.
@@ -158,6 +161,7 @@ impl<R: Real, const N: usize> Body<R, N> {
             end: V3([R::ZERO; 3]),
             start: V3([R::ZERO; 3]),
         },
+        room: Room::EMPTY,
     };
 
     /// The segments in use.
@@ -190,16 +194,24 @@ impl<R: Real, const N: usize> Body<R, N> {
             self.base = self.kept_base.moved(&self.base_step.map(|v| v * share));
         }
     }
-    /// Brings accepted rulings so far apart that the barrier has something to hold on to.
-    pub fn part_rulings(&mut self) {
+    /// Everything where it was accepted, evaluated anew.
+    pub fn stand(&mut self) {
+        self.place(R::ZERO);
+        self.reconstruct();
+    }
+    /// Brings accepted rulings so far apart that the barrier has something to hold on to; answers whether it had to.
+    pub fn part_rulings(&mut self) -> bool {
         let (limit, n) = (self.strip.limit * R::of(0.999), self.strip.n);
-        let mut before = R::ZERO;
+        let (mut before, mut moved) = (R::ZERO, false);
         for (j, s) in self.used_mut().iter_mut().enumerate().skip(1) {
             let reach = limit * R::of((n - j) as f64);
             let c = s.kept.c.smaller(before + limit).larger(before - limit);
-            s.kept.c = c.smaller(reach).larger(-reach);
-            before = s.kept.c;
+            let c = c.smaller(reach).larger(-reach);
+            moved |= c != s.kept.c;
+            s.kept.c = c;
+            before = c;
         }
+        moved
     }
     /// Whether all rulings as placed keep apart, by more than rounding.
     pub fn inside(&self) -> bool {
@@ -282,9 +294,10 @@ impl<R: Real, const N: usize> Body<R, N> {
         end.want = [table.sample(0, at, n), table.sample(1, at, n)];
     }
     /// The cell of a segment, given what follows it.
+    #[inline(always)]
     pub fn cell<'a>(s: &'a Stage<R>, next: (&Pair<R>, &'a [Sample<R>; 2], R)) -> Cell<'a, R> {
         let (pair, want, c) = next;
-        Cell::between(&s.frame, [&s.pair, pair], [&s.want, want], c - s.crease.c)
+        Cell::between(s.frame.t, [&s.pair, pair], [&s.want, want], c - s.crease.c)
     }
     /// Evaluates everything at the creases as placed.
     ///

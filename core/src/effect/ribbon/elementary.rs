@@ -47,6 +47,51 @@ pub fn angle<R: Real>(y: R, x: R) -> R {
     if steep { R::of(core::f64::consts::FRAC_PI_2) - small } else { small }
 }
 
+/// Angles below this have a short series.
+const SHORT: f64 = 0.75;
+/// `±1/k!` of the odd and of the even powers, from the third and the second on.
+const SINE: [f64; 7] = inverse_factorials(3);
+const VERSINE: [f64; 8] = inverse_factorials(2);
+
+const fn inverse_factorials<const K: usize>(first: u32) -> [f64; K] {
+    let (mut all, mut power, mut factorial, mut i) = ([0.0; K], 1, 1.0, 0);
+    while i < K {
+        while power < first + 2 * i as u32 {
+            power += 1;
+            factorial *= power as f64;
+        }
+        all[i] = if i % 2 == 0 { 1.0 / factorial } else { -1.0 / factorial };
+        i += 1;
+    }
+    all
+}
+
+/// `Σ kᵢ zⁱ` of eight, in pairs: a polynomial that does not wait for itself.
+#[inline(always)]
+fn eight<R: Real>(k: [f64; 8], z: R) -> R {
+    let [a, b, c, d, e, f, g, h] = k.map(R::of);
+    let (z2, low, high) = (z * z, (a + b * z, c + d * z), (e + f * z, g + h * z));
+    (low.0 + low.1 * z2) + (high.0 + high.1 * z2) * (z2 * z2)
+}
+
+/// `sin ψ` and `1 - cos ψ`.
+///
+/// # Accuracy
+///
+/// Two roundings; `1 - cos ψ` keeps its digits for small angles.
+#[inline]
+pub fn sine_and_versine<R: Real>(psi: R) -> [R; 2] {
+    if psi.magnitude() < R::of(SHORT) {
+        let (z, [a, b, c, d, e, f, g]) = (psi * psi, SINE);
+        let less = eight([a, b, c, d, e, f, g, 0.0], z);
+        return [psi - psi * z * less, z * eight(VERSINE, z)];
+    }
+    let half = psi * R::of(0.5);
+    let (sin, cos) = (half.sine(), half.cosine());
+    let two = R::of(2.0);
+    [two * sin * cos, two * sin * sin]
+}
+
 /// `A(q) = atanh(q)/q` with its first and second derivative, for `|q| < 1`.
 ///
 /// # Accuracy

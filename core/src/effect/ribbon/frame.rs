@@ -1,7 +1,7 @@
 //! Where a segment is: a right-handed frame, moved by twists about the world's origin.
 
 use super::elementary::angle;
-use crate::real::{Real, V3};
+use crate::real::{Num, Real, V3};
 
 /// A twist or a wrench: the part that turns, then the part that shifts.
 pub type Six<R> = [R; 6];
@@ -20,7 +20,8 @@ pub struct Frame<R> {
 }
 
 /// Two vectors as six numbers.
-pub fn six<R: Real>(turn: V3<R>, shift: V3<R>) -> Six<R> {
+#[inline(always)]
+pub fn six<T: Num>(turn: V3<T>, shift: V3<T>) -> Six<T> {
     let ([a, b, c], [d, e, f]) = (turn.0, shift.0);
     [a, b, c, d, e, f]
 }

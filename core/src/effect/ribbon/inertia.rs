@@ -1,4 +1,5 @@
-//! Kinetic energy of a cell with its moving mass matrix: value, gradient, Hessian in (twist, c_j, c_{j+1}).
+//! Kinetic energy of a cell with its moving mass matrix: value, gradient, Hessian in (twist, c_j, c_{j+1}),
+//! of one cell or of several side by side.
 //!
 //! ```text
 //! F = κ/2 Σ M_ab(Δc) d_a·d_b - Σ M_ab(Δc) pull·x_a      d_a = x_a - Y_a(s_a)      κ = 1/h²
@@ -9,10 +10,10 @@
 //!
 //! Source: Ribbon Sec. 4, App. B; gradient as App. C collapses to. Checked by `tests/ribbon_derivatives.rs`.
 
-use super::frame::{Frame, Six, six};
+use super::frame::{Six, six};
 use super::resample::{Pair, Sample};
 use super::strip::{CellMass, Strip};
-use crate::real::{Real, V3};
+use crate::real::{Num, Real, V3};
 
 /// The four vertices of a cell: A and B of its first crease, A and B of its second.
 pub type Four<T> = [T; 4];
@@ -26,26 +27,28 @@ pub struct Motion<R> {
     pub pull: V3<R>,
 }
 
-/// The quadratic model of one cell.
+/// The quadratic model of a cell's inertia or weight, of one cell or of several side by side.
 #[derive(Debug, Clone, Copy)]
-pub struct Model<R> {
+pub struct Model<T> {
     /// Gradient by the segment's twist.
-    pub x: Six<R>,
+    pub x: Six<T>,
     /// Gradient by `c_j`, `c_{j+1}`.
-    pub c: [R; 2],
-    /// Hessian by the twist.
-    pub xx: [Six<R>; 6],
+    pub c: [T; 2],
+    /// Hessian by turn and turn: `xx`, `yy`, `zz`, `xy`, `xz`, `yz`.
+    pub turn: [T; 6],
+    /// Hessian by turn and shift: `[lever]×`. That by shift and shift is the cell's mass by `κ`.
+    pub lever: V3<T>,
     /// Hessian by twist and `c_j`, `c_{j+1}`.
-    pub xc: [Six<R>; 2],
+    pub xc: [Six<T>; 2],
     /// Hessian by `c_j c_j`, `c_j c_{j+1}`, `c_{j+1} c_{j+1}`.
-    pub cc: [R; 3],
+    pub cc: [T; 3],
 }
 
 /// What a cell's energy is made from.
 #[derive(Debug, Clone, Copy)]
 pub struct Cell<'a, R> {
-    /// Its frame.
-    pub frame: &'a Frame<R>,
+    /// Its direction.
+    pub t: V3<R>,
     /// Vertices.
     pub x: Four<V3<R>>,
     /// What they aim at.
@@ -54,21 +57,25 @@ pub struct Cell<'a, R> {
     pub spread: R,
 }
 
-impl<'a, R: Real> Cell<'a, R> {
+impl<'a, R: Num> Cell<'a, R> {
     /// Between two creases.
     pub fn between(
-        frame: &'a Frame<R>,
+        t: V3<R>,
         [x0, x1]: [&Pair<R>; 2],
         [w0, w1]: [&'a [Sample<R>; 2]; 2],
         spread: R,
     ) -> Self {
         let ([a, b], [c, d]) = (*x0, *x1);
-        Self { frame, x: [a, b, c, d], want: [&w0[0], &w0[1], &w1[0], &w1[1]], spread }
+        Self { t, x: [a, b, c, d], want: [&w0[0], &w0[1], &w1[0], &w1[1]], spread }
     }
+    #[inline(always)]
     fn gaps(&self) -> Four<V3<R>> {
         let (x, y) = (&self.x, &self.want);
         [x[0] - y[0].y, x[1] - y[1].y, x[2] - y[2].y, x[3] - y[3].y]
     }
+}
+
+impl<R: Real> Cell<'_, R> {
     /// The energy.
     #[inline]
     pub fn energy(&self, mass: &CellMass<R>, motion: &Motion<R>) -> R {
@@ -84,176 +91,186 @@ impl<'a, R: Real> Cell<'a, R> {
     }
 }
 
-fn inner<R: Real>(x: &Four<V3<R>>, y: &Four<V3<R>>) -> R {
+#[inline(always)]
+fn inner<T: Num>(x: &Four<V3<T>>, y: &Four<V3<T>>) -> T {
     (x[0].dot(y[0]) + x[1].dot(y[1])) + (x[2].dot(y[2]) + x[3].dot(y[3]))
 }
 
-fn total<R: Real>(x: &Four<V3<R>>) -> V3<R> {
+#[inline(always)]
+fn total<T: Num>(x: &Four<V3<T>>) -> V3<T> {
     (x[0] + x[1]) + (x[2] + x[3])
 }
 
-impl<R: Real> CellMass<R> {
+impl<T: Num> CellMass<T> {
     /// `M x`.
     #[inline(always)]
-    pub fn times(&self, spread: R, x: &Four<V3<R>>) -> Four<V3<R>> {
+    pub fn times(&self, spread: T, x: &Four<V3<T>>) -> Four<V3<T>> {
         let (grow, e, m) = (self.grow * spread, self.cross, self.along);
         let (a, b) = (self.even - grow, self.even + grow);
         let (p, q) = (x[0] * a + x[1] * e, x[0] * e + x[1] * b);
         let (r, s) = (x[2] * a + x[3] * e, x[2] * e + x[3] * b);
         [p + r * m, q + s * m, r + p * m, s + q * m]
     }
-    /// `M` times vectors at one crease alone: at that crease, then at the other.
+    /// `M` times vectors at one crease alone, there; at the other it is [`CellMass::along`] times that.
     #[inline(always)]
-    fn times_pair(&self, spread: R, x: V3<R>, y: V3<R>) -> [Pair<R>; 2] {
-        let (grow, e, m) = (self.grow * spread, self.cross, self.along);
-        let p = x * (self.even - grow) + y * e;
-        let q = x * e + y * (self.even + grow);
-        [[p, q], [p * m, q * m]]
+    fn times_pair(&self, spread: T, [x, y]: Pair<T>) -> Pair<T> {
+        let (grow, e) = (self.grow * spread, self.cross);
+        [x * (self.even - grow) + y * e, x * e + y * (self.even + grow)]
     }
     /// `dM/dΔc x`.
     #[inline(always)]
-    pub fn grown(&self, x: &Four<V3<R>>) -> Four<V3<R>> {
+    pub fn grown(&self, x: &Four<V3<T>>) -> Four<V3<T>> {
         let (g, m) = (self.grow, self.along);
-        let along = |x: V3<R>, y: V3<R>, g: R| (x + y * m) * g;
+        let along = |x: V3<T>, y: V3<T>, g: T| (x + y * m) * g;
         [along(x[0], x[2], -g), along(x[1], x[3], g), along(x[2], x[0], -g), along(x[3], x[1], g)]
     }
-    /// Row sums of `M`, A then B; the same for both creases.
-    fn shares(&self, spread: R) -> [R; 2] {
-        let (even, one) = (self.even + self.cross, R::one() + self.along);
-        [(even - self.grow * spread) * one, (even + self.grow * spread) * one]
+}
+
+/// What all cells share: in every lane the same.
+#[derive(Debug, Clone, Copy)]
+pub struct Common<T> {
+    /// The mass matrix times `κ`.
+    mass: CellMass<T>,
+    half: T,
+    /// In statics, weight at a vertex of a rectangle, and how it grows with `Δc` on rim B and shrinks on rim A.
+    weight: V3<T>,
+    grow: V3<T>,
+    /// Share that is counted of what forces gain by turning.
+    turns: T,
+    moving: bool,
+}
+
+impl<T: Num> Common<T> {
+    /// Of a strip in motion, a model that is so rough, `all` being what puts a number into all lanes.
+    pub fn of<R: Real>(strip: &Strip<R>, motion: &Motion<R>, rough: R, all: fn(R) -> T) -> Self {
+        let (m, kappa) = (&strip.mass, motion.kappa);
+        let [even, cross, grow] = [m.even, m.cross, m.grow].map(|m| all(m * kappa));
+        let weight = motion.pull * ((m.even + m.cross) * (R::one() + m.along));
+        let slope = motion.pull * (m.grow * (R::one() + m.along));
+        let v3 = |v: V3<R>| V3(v.0.map(all));
+        Self {
+            mass: CellMass { even, cross, along: all(m.along), grow },
+            half: all(strip.half),
+            weight: v3(weight),
+            grow: v3(slope),
+            turns: all(R::one() - rough),
+            moving: kappa > R::ZERO,
+        }
+    }
+    /// Forces at the vertices, and how they change with `Δc`; then the energy's own change with it.
+    #[inline(always)]
+    fn forces(&self, cell: &Cell<'_, T>) -> (Four<V3<T>>, Four<V3<T>>, T) {
+        let spread = cell.spread;
+        if self.moving {
+            let d = cell.gaps();
+            let grown = self.mass.grown(&d);
+            let swell = T::of(0.5) * inner(&grown, &d);
+            return (self.mass.times(spread, &d), grown, swell);
+        }
+        let (more, slope) = (self.grow * spread, self.grow);
+        let (a, b) = (more - self.weight, -(more + self.weight));
+        let grown = [slope, -slope, slope, -slope];
+        ([a, b, a, b], grown, inner(&grown, &cell.x))
+    }
+    /// The model of a cell's inertia or weight. As far as it is rough, forces do not turn.
+    ///
+    /// # Cost
+    ///
+    /// Some 600 operations, of so many cells as there are lanes.
+    #[inline(always)]
+    pub fn model(&self, cell: &Cell<'_, T>) -> Model<T> {
+        let (g, grown, swell) = self.forces(cell);
+        let slide = self.slides(cell);
+        let by = |i: usize| g[i].dot(slide[i]) + g[i + 1].dot(slide[i + 1]);
+        let c = [by(0) - swell, by(2) + swell];
+        let x = wrench(&cell.x, &g);
+        let (turn, lever) = self.turning(cell, &g, &x);
+        let (xc, cc) = self.sliding(cell, &g, &grown, &slide);
+        Model { x, c, turn, lever, xc, cc }
+    }
+
+    /// `σ (t - Y')`.
+    #[inline(always)]
+    fn slides(&self, cell: &Cell<'_, T>) -> Four<V3<T>> {
+        let (t, h, w) = (cell.t, self.half, &cell.want);
+        [(w[0].dy - t) * h, (t - w[1].dy) * h, (w[2].dy - t) * h, (t - w[3].dy) * h]
+    }
+
+    /// By turn and turn `κ (tr S I - S) + sym N - tr N I`, by turn and shift `[κ M x - G/2]×`, with `S = Σ x (Mx)ᵀ`,
+    /// `N = Σ x gᵀ`, `G = Σ g`.
+    #[inline(always)]
+    fn turning(&self, cell: &Cell<'_, T>, g: &Four<V3<T>>, wrench: &Six<T>) -> ([T; 6], V3<T>) {
+        let mx = self.mass.times(cell.spread, &cell.x);
+        // Forces less inertia, vertex by vertex.
+        let less = |i: usize| g[i] * self.turns - mx[i];
+        let f = [less(0), less(1), less(2), less(3)];
+        let [.., p, q, r] = *wrench;
+        let lever = total(&mx) - V3([p, q, r]) * (self.turns * T::of(0.5));
+        (turned(virial(&cell.x, &f)), lever)
+    }
+
+    /// What sliding rulings add: by twist and slope, by slope and slope.
+    #[inline(always)]
+    fn sliding(
+        &self,
+        cell: &Cell<'_, T>,
+        g: &Four<V3<T>>,
+        grown: &Four<V3<T>>,
+        slide: &Four<V3<T>>,
+    ) -> ([Six<T>; 2], [T; 3]) {
+        let (x, turns, two) = (&cell.x, self.turns, T::of(2.0));
+        let (m, half) = (self.mass.along, self.half * turns);
+        let swollen = wrench(x, grown).map(|w| w * turns);
+        // A crease's slides are forces there, and a share of them at the other crease.
+        let couple = |[p, q]: Pair<T>, near: usize, far: usize| {
+            let (a, b) = (x[near] + x[far] * m, x[near + 1] + x[far + 1] * m);
+            let slid = cell.t.cross((g[near + 1] - g[near]) * half);
+            six(a.cross(p) + b.cross(q) + slid, (p + q) * (T::one() + m))
+        };
+        let first = self.mass.times_pair(cell.spread, [slide[0], slide[1]]);
+        let second = self.mass.times_pair(cell.spread, [slide[2], slide[3]]);
+        let (near, far) = (couple(first, 0, 2), couple(second, 2, 0));
+        let xc = [lane6(&near, &swollen, |a, b| a - b), lane6(&far, &swollen, |a, b| a + b)];
+        let (sq, want) = (half * self.half, &cell.want);
+        let bend = |i: usize| (g[i].dot(want[i].ddy) + g[i + 1].dot(want[i + 1].ddy)) * sq;
+        let by = |f: &[V3<T>], i: usize| slide[i].dot(f[0]) + slide[i + 1].dot(f[1]);
+        let swell = |i: usize| by(&[grown[i], grown[i + 1]], i) * turns;
+        let (inner, outer) = (swell(0), swell(2));
+        let cc = [
+            by(&first, 0) - bend(0) - two * inner,
+            by(&first, 2) * m + inner - outer,
+            by(&second, 2) - bend(2) + two * outer,
+        ];
+        (xc, cc)
     }
 }
 
-/// The model of a cell's inertia (or weight), of other forces on its vertices, and of a pull `lean` at its normal. As far
-/// as it is `rough`, forces do not turn and normals are pulled as if they were where they are pulled to.
+/// Number by number.
 #[inline(always)]
-pub fn model<R: Real>(
-    strip: &Strip<R>,
-    motion: &Motion<R>,
-    cell: &Cell<'_, R>,
-    others: &[Pair<R>; 2],
-    lean: V3<R>,
-    rough: R,
-) -> Model<R> {
-    let (mass, spread, kappa) = (&strip.mass, cell.spread, motion.kappa);
-    let d = cell.gaps();
-    let [share_a, share_b] = mass.shares(spread).map(|s| motion.pull * s);
-    let mut g = mass.times(spread, &d).map(|v| v * kappa);
-    let mut grown = mass.grown(&d).map(|v| v * kappa);
-    let moving = kappa > R::ZERO;
-    if !moving {
-        g = [-share_a, -share_b, -share_a, -share_b];
-        let slope = motion.pull * (mass.grow * (R::one() + mass.along));
-        grown = [slope, -slope, slope, -slope];
-    }
-    // The energy's own change with Δc, at fixed vertices.
-    let swell = if moving { R::of(0.5) * inner(&grown, &d) } else { inner(&grown, &cell.x) };
-    let [[a0, b0], [a1, b1]] = *others;
-    let all = [g[0] + a0, g[1] + b0, g[2] + a1, g[3] + b1];
-    let slide = slides(strip, cell);
-    let mx = mass.times(spread, &cell.x).map(|v| v * kappa);
-    let (torque, turn) = (cell.frame.n.cross(lean), R::one() - rough);
-    let turned = |f: &Four<V3<R>>| f.map(|f| f * turn);
-    let lean = lean * turn - cell.frame.n * (lean.norm() * rough);
-    let second = (turned(&g), turned(&all), turned(&grown), lean);
-    let mut model = Model {
-        x: wrench(&cell.x, &all),
-        c: [
-            g[0].dot(slide[0]) + g[1].dot(slide[1]) - swell
-                + cell.frame.t.dot(b0 - a0) * strip.half,
-            g[2].dot(slide[2])
-                + g[3].dot(slide[3])
-                + swell
-                + cell.frame.t.dot(b1 - a1) * strip.half,
-        ],
-        xx: turning(cell, &mx, &second.1, second.3, kappa * strip.cell_mass()),
-        xc: [[R::ZERO; 6]; 2],
-        cc: [R::ZERO; 3],
-    };
-    for (x, t) in model.x.iter_mut().zip(torque.0) {
-        *x += t;
-    }
-    sliding(strip, cell, &mut model, [&second.0, &second.1], &second.2, &slide, kappa);
-    model
-}
-
-/// `σ (t - Y')`.
-fn slides<R: Real>(strip: &Strip<R>, cell: &Cell<'_, R>) -> Four<V3<R>> {
-    let (t, h, w) = (cell.frame.t, strip.half, &cell.want);
-    [(w[0].dy - t) * h, (t - w[1].dy) * h, (w[2].dy - t) * h, (t - w[3].dy) * h]
+fn lane6<T: Num>(a: &Six<T>, b: &Six<T>, f: impl Fn(T, T) -> T) -> Six<T> {
+    core::array::from_fn(|i| f(a[i], b[i]))
 }
 
 /// Torque and force of four forces.
 #[inline(always)]
-fn wrench<R: Real>(x: &Four<V3<R>>, f: &Four<V3<R>>) -> Six<R> {
+pub(super) fn wrench<T: Num>(x: &Four<V3<T>>, f: &Four<V3<T>>) -> Six<T> {
     let torque = (x[0].cross(f[0]) + x[1].cross(f[1])) + (x[2].cross(f[2]) + x[3].cross(f[3]));
     six(torque, total(f))
 }
 
-/// Twist by twist: `κ (tr S I - S) + sym N - tr N I`, `[κ M x - G/2]×`, `κ m I`, with `S = Σ x (Mx)ᵀ`, `N = Σ x gᵀ`.
+/// `sym Σ x fᵀ` as `xx`, `yy`, `zz`, `xy`, `xz`, `yz`.
 #[inline(always)]
-fn turning<R: Real>(
-    cell: &Cell<'_, R>,
-    mx: &Four<V3<R>>,
-    g: &Four<V3<R>>,
-    lean: V3<R>,
-    mass: R,
-) -> [Six<R>; 6] {
-    let half = R::of(0.5);
-    // sym N - S, whose trace decides the rest: forces less inertia, vertex by vertex.
-    let f = [g[0] - mx[0], g[1] - mx[1], g[2] - mx[2], g[3] - mx[3]];
-    let n = cell.frame.n;
+pub(super) fn virial<T: Num>(x: &Four<V3<T>>, f: &Four<V3<T>>) -> [T; 6] {
     let entry = |r: usize, c: usize| {
-        let part = |x: &V3<R>, f: &V3<R>| x.0[r] * f.0[c] + x.0[c] * f.0[r];
-        let sum = (part(&cell.x[0], &f[0]) + part(&cell.x[1], &f[1]))
-            + (part(&cell.x[2], &f[2]) + part(&cell.x[3], &f[3]));
-        (sum + part(&n, &lean)) * half
+        let part = |x: &V3<T>, f: &V3<T>| x.0[r] * f.0[c];
+        (part(&x[0], &f[0]) + part(&x[1], &f[1])) + (part(&x[2], &f[2]) + part(&x[3], &f[3]))
     };
-    let [xx, yy, zz] = [entry(0, 0), entry(1, 1), entry(2, 2)];
-    let [xy, xz, yz] = [entry(0, 1), entry(0, 2), entry(1, 2)];
-    let [a, b, c] = (total(mx) - total(g) * half).0;
-    let o = R::ZERO;
-    [
-        [-(yy + zz), xy, xz, o, -c, b],
-        [xy, -(xx + zz), yz, c, o, -a],
-        [xz, yz, -(xx + yy), -b, a, o],
-        [o, c, -b, mass, o, o],
-        [-c, o, a, o, mass, o],
-        [b, -a, o, o, o, mass],
-    ]
+    let mixed = |r: usize, c: usize| (entry(r, c) + entry(c, r)) * T::of(0.5);
+    [entry(0, 0), entry(1, 1), entry(2, 2), mixed(0, 1), mixed(0, 2), mixed(1, 2)]
 }
 
-/// What sliding rulings add.
+/// What turns: `N - tr N` of `N = sym Σ x fᵀ`.
 #[inline(always)]
-fn sliding<R: Real>(
-    strip: &Strip<R>,
-    cell: &Cell<'_, R>,
-    model: &mut Model<R>,
-    [g, all]: [&Four<V3<R>>; 2],
-    grown: &Four<V3<R>>,
-    slide: &Four<V3<R>>,
-    kappa: R,
-) {
-    let (t, h) = (cell.frame.t, strip.half);
-    let mass = |a: V3<R>, b: V3<R>| strip.mass.times_pair(cell.spread, a * kappa, b * kappa);
-    let ([[a, b], [c, d]], [[e, f], [g2, h2]]) =
-        (mass(slide[0], slide[1]), mass(slide[2], slide[3]));
-    let (first, second) = ([a, b, c, d], [g2, h2, e, f]);
-    let couple = |m: &Four<V3<R>>, f: &Four<V3<R>>, a: V3<R>, b: V3<R>| {
-        let sum = [m[0] + f[0], m[1] + f[1], m[2] + f[2], m[3] + f[3]];
-        let [x, y, z, p, q, r] = wrench(&cell.x, &sum);
-        let [u, v, w] = (t.cross((b - a) * h)).0;
-        [x + u, y + v, z + w, p, q, r]
-    };
-    let less = grown.map(|v| -v);
-    model.xc = [couple(&first, &less, all[0], all[1]), couple(&second, grown, all[2], all[3])];
-    let sq = h * h;
-    let bend = |i: usize, k: usize| -(g[i].dot(cell.want[i].ddy) + g[k].dot(cell.want[k].ddy)) * sq;
-    let swell = |i: usize, k: usize| slide[i].dot(grown[i]) + slide[k].dot(grown[k]);
-    let two = R::of(2.0);
-    model.cc = [
-        slide[0].dot(first[0]) + slide[1].dot(first[1]) + bend(0, 1) - two * swell(0, 1),
-        slide[2].dot(first[2]) + slide[3].dot(first[3]) + swell(0, 1) - swell(2, 3),
-        slide[2].dot(second[2]) + slide[3].dot(second[3]) + bend(2, 3) + two * swell(2, 3),
-    ];
+pub(super) fn turned<T: Num>([xx, yy, zz, xy, xz, yz]: [T; 6]) -> [T; 6] {
+    [-(yy + zz), -(xx + zz), -(xx + yy), xy, xz, yz]
 }

@@ -7,8 +7,9 @@
 //!
 //! Source: Ribbon App. A, with its angle counted from the perpendicular. Checked by `tests/ribbon_derivatives.rs`.
 
+use super::elementary::sine_and_versine;
 use super::frame::{Frame, Six, six};
-use crate::real::{Real, V3};
+use crate::real::{Num, Real, V3};
 
 /// The two unknowns of a crease.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -44,10 +45,8 @@ impl<R: Real> Turn<R> {
     #[inline]
     pub fn of(crease: Crease<R>) -> Self {
         let inv_s = R::one() / (R::one() + crease.c * crease.c).root();
-        let half = crease.psi * R::of(0.5);
-        let (sin, cos) = (half.sine(), half.cosine());
-        let two = R::of(2.0);
-        Self { c: crease.c, inv_s, sin: two * sin * cos, versine: two * sin * sin }
+        let [sin, versine] = sine_and_versine(crease.psi);
+        Self { c: crease.c, inv_s, sin, versine }
     }
     /// The frame beyond the crease, `step` further along.
     #[inline]
@@ -59,29 +58,32 @@ impl<R: Real> Turn<R> {
         let n = f.t * -q + f.b * (c * q) + f.n * cos;
         Frame { t, b: n.cross(t), n, p: f.p + f.t * step }
     }
+}
+
+impl<T: Num> Turn<T> {
     /// World axes of `dψ` and `dc`: `f` is the frame before the crease.
-    #[inline]
-    pub fn axes(&self, f: &Frame<R>) -> [V3<R>; 2] {
+    #[inline(always)]
+    pub fn axes(&self, f: &Frame<T>) -> [V3<T>; 2] {
         let Self { c, inv_s, sin, versine } = *self;
         let r = inv_s * inv_s;
         let across = (f.t - f.b * c) * -(inv_s * r);
         [(f.t * c + f.b) * -inv_s, across * sin - f.n * (versine * r)]
     }
     /// Axes of the second derivatives `ψc` (once, not twice) and `cc`; that of `ψψ` is zero.
-    #[inline]
-    pub fn second_axes(&self, f: &Frame<R>) -> [V3<R>; 2] {
+    #[inline(always)]
+    pub fn second_axes(&self, f: &Frame<T>) -> [V3<T>; 2] {
         let Self { c, inv_s, sin, versine } = *self;
         let r = inv_s * inv_s;
-        let (half, two) = (R::of(0.5), R::of(2.0));
+        let (half, two) = (T::of(0.5), T::of(2.0));
         let across = (f.t - f.b * c) * -(inv_s * r);
         let mixed = (across * (two - versine) - f.n * (sin * r)) * half;
-        let bend = f.t * (R::of(3.0) * c) + f.b * (R::one() - two * c * c);
+        let bend = f.t * (T::of(3.0) * c) + f.b * (T::one() - two * c * c);
         (mixed, bend * (inv_s * r * r * sin) + f.n * (two * c * r * r * versine)).into()
     }
 }
 
 /// A turn about an axis through a point, as a twist about the world's origin.
 #[inline(always)]
-pub fn about<R: Real>(axis: V3<R>, p: V3<R>) -> Six<R> {
+pub fn about<T: Num>(axis: V3<T>, p: V3<T>) -> Six<T> {
     six(axis, p.cross(axis))
 }

@@ -213,6 +213,7 @@ impl<R: Real, const N: usize> Ribbon<R, N> {
         self.body.motion.pull = V3(self.gravity.map(R::of));
         self.body.used_mut().iter_mut().for_each(|s| s.want = [Sample::ZERO; 2]);
         self.body.end.want = [Sample::ZERO; 2];
+        self.body.stand();
         let Self { solver, body, ask, .. } = self;
         let report = solver.minimise(body, ask, &(), &mut (), settings, &mut watch);
         self.body.strip.free = free;
@@ -230,16 +231,14 @@ impl<R: Real, const N: usize> Ribbon<R, N> {
 
     fn rest_where_it_was(&mut self, base: &Frame<R>) {
         self.body.kept_base = *base;
-        self.body.place(R::ZERO);
-        self.body.reconstruct();
+        self.body.stand();
         self.body.used_mut().iter_mut().for_each(|s| s.velocity = [V3([R::ZERO; 3]); 2]);
         self.body.end.velocity = [V3([R::ZERO; 3]); 2];
     }
 
     /// `Y = X + h V + h² g` at the vertices as they are.
     fn set_out(&mut self, h: R, fall: V3<R>) {
-        self.body.place(R::ZERO);
-        self.body.reconstruct();
+        self.body.stand();
         let Body { strip, stages, end, table, .. } = &mut self.body;
         let ahead = |x: &Pair<R>, v: &Pair<R>| [x[0] + v[0] * h + fall, x[1] + v[1] * h + fall];
         let knots = stages.iter().map(|s| (s.crease.c, ahead(&s.pair, &s.velocity)));

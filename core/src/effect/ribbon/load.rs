@@ -42,20 +42,42 @@ pub struct Pull<R> {
     pub gradient: Pair<R>,
     /// Hessian as a sum of `weight (row_A·δA + row_B·δB)²`.
     pub terms: Vec<(R, Pair<R>), TERMS>,
+    /// Whether anything pulls.
+    some: bool,
 }
 
 impl<R: Real> Pull<R> {
-    pub(super) fn none() -> Self {
-        Self { gradient: [V3([R::ZERO; 3]); 2], terms: Vec::new() }
+    /// Nothing.
+    pub fn none() -> Self {
+        Self { gradient: [V3([R::ZERO; 3]); 2], terms: Vec::new(), some: false }
+    }
+    /// Whether anything pulls.
+    #[inline(always)]
+    pub(super) fn some(&self) -> bool {
+        self.some
+    }
+    /// Nothing again.
+    #[inline(always)]
+    pub(super) fn clear(&mut self) {
+        if core::mem::replace(&mut self.some, false) {
+            self.gradient = [V3([R::ZERO; 3]); 2];
+            self.terms.clear();
+        }
     }
     /// Adds to the gradient at A and B.
+    #[inline]
     pub fn push(&mut self, a: V3<R>, b: V3<R>) {
+        if a.0 == [R::ZERO; 3] && b.0 == [R::ZERO; 3] {
+            return;
+        }
         let [x, y] = self.gradient;
         self.gradient = [x + a, y + b];
+        self.some = true;
     }
     /// Adds a curvature term; those beyond [`TERMS`] are left out, which costs iterations, not truth.
     pub fn curve(&mut self, weight: R, rows: Pair<R>) {
         let _ = self.terms.push((weight, rows));
+        self.some = true;
     }
 }
 

@@ -6,11 +6,12 @@
 use super::body::{Body, Stage};
 use super::closure::Hold;
 use super::contact::touch::{Push, Touch, four, stiffen_by};
-use super::inertia::Model;
+use super::forces::Model;
+use super::frame::Frame;
 use super::joint::{Turn, about};
 use super::report::{Report, Settings};
 use super::resample::Pair;
-use super::riccati::{Tie, Value, plus};
+use super::riccati::{C, Part, Value, state};
 use super::strip::Strip;
 use crate::real::{Real, V3};
 
@@ -44,8 +45,7 @@ impl<R: Real, const N: usize> Body<R, N> {
         let (mut lean, mut failed) = (true, 0);
         let (middle, length) = (self.middle(), self.strip.length());
         for _ in 0..CLOSINGS {
-            self.place(R::ZERO);
-            self.reconstruct();
+            self.stand();
             if failed > 1 || self.gap.size(length) <= R::of(settings.closure) {
                 break;
             }
@@ -88,8 +88,7 @@ impl<R: Real, const N: usize> Body<R, N> {
 
     /// Brings a free loop's middle back to where it was: closing gives no momentum.
     fn centre(&mut self, middle: V3<R>) {
-        self.place(R::ZERO);
-        self.reconstruct();
+        self.stand();
         self.base.p = self.base.p + middle - self.middle();
         self.reconstruct();
         self.keep();
@@ -103,33 +102,29 @@ impl<R: Real, const N: usize> Body<R, N> {
     /// Some 500 operations a segment.
     fn factor_joint<T: Touch<R>>(&mut self, touch: &T, lean: bool) -> Option<R> {
         let (o, cell, strip) = (R::ZERO, self.strip.cell, self.strip);
-        let (rows, mut value) = (self.joint_rows(), Value::ZERO);
+        let (rows, mut value) = (self.joint_rows(), Value::zero());
         let weight = rows.shift * R::of(FIRM);
         let [at_end, _] = rows.gradient(&self.gap);
-        (value.x, value.xx) = (at_end, rows.hessian(&self.gap));
-        let (n, mut fall) = (strip.n, o);
-        let (mut next, mut pair) = (None::<Turn<R>>, self.end.pair);
+        value.join(&at_end, &rows.hessian(&self.gap));
+        let (n, mut fall, mut pair) = (strip.n, o, self.end.pair);
+        let mut next = None::<Turn<R>>;
         for (j, s) in self.stages.iter_mut().take(n).enumerate().rev() {
-            let held = T::ACTIVE.then(|| held(touch, weight, &strip, (j, s, &pair)));
-            if let Some(turn) = next {
-                let p = s.frame.p + s.frame.t * cell;
-                let axes = turn.axes(&s.frame).map(|a| about(a, p));
-                let mut tie = tie([true, lean]);
-                if let Some(m) = &held {
-                    (tie.x[1], tie.u[1][1]) = (m.xc[1], m.cc[1]);
-                    tie.h[2] += m.cc[2];
-                }
-                value.eliminate(&axes, &tie, &mut fall, &mut s.gain)?;
+            let mut part = alone([true, lean]);
+            if T::ACTIVE {
+                hold(&mut part, &held(touch, weight, &strip, (j, s, &pair)));
             }
-            if let Some(m) = &held {
-                plus(&mut value.xx, &m.xx);
-                value.xu[1].iter_mut().zip(&m.xc[0]).for_each(|(x, &m)| *x += m);
-                value.uu[2] += m.cc[0];
+            match next {
+                Some(turn) => {
+                    turned(&mut part, &turn, &s.frame, s.frame.p + s.frame.t * cell);
+                    value.eliminate(&part, false, &mut fall, &mut s.gain)?;
+                }
+                None => value.add(&part, false),
             }
             (next, pair) = (Some(s.turn), s.pair);
         }
-        let axes = next?.axes(&self.base).map(|a| about(a, self.base.p));
-        value.eliminate(&axes, &tie([strip.hinge > o, false]), &mut fall, &mut self.root_gain)?;
+        let mut part = alone([strip.hinge > o, false]);
+        turned(&mut part, &next?, &self.base, self.base.p);
+        value.eliminate(&part, false, &mut fall, &mut self.root_gain)?;
         self.base_step = [o; 6];
         Some(fall)
     }
@@ -160,10 +155,25 @@ impl<R: Real, const N: usize> Body<R, N> {
 }
 
 /// A crease's own weight.
-fn tie<R: Real>(free: [bool; 2]) -> Tie<R> {
+fn alone<R: Real>(free: [bool; 2]) -> Part<R> {
+    Part { h: [R::one(), R::ZERO, R::of(SLOPES)], free, ..Part::ZERO }
+}
+
+/// Turns about a crease.
+fn turned<R: Real>(part: &mut Part<R>, turn: &Turn<R>, frame: &Frame<R>, p: V3<R>) {
+    let ([psi, slope], o, l) = (turn.axes(frame).map(|a| about(a, p)), R::ZERO, R::one());
+    part.axes = [state(&psi, [l, o]), state(&slope, [o, l])];
+}
+
+/// Keeps what is touched where it is.
+fn hold<R: Real>(part: &mut Part<R>, m: &Model<R>) {
     let o = R::ZERO;
-    let h = [R::one(), o, R::of(SLOPES)];
-    Tie { x: [[o; 6]; 2], u: [[o; 2]; 2], g: [o; 2], h, free, drift: false }
+    for (row, (xx, &xc)) in part.zz.iter_mut().zip(m.xx.iter().zip(&m.xc[0])) {
+        *row = state(xx, [o, xc]);
+    }
+    part.zz[C] = state(&m.xc[0], [o, m.cc[0]]);
+    part.tie[1] = state(&m.xc[1], [o, m.cc[1]]);
+    part.h[2] += m.cc[2];
 }
 
 /// What a segment's pushed points weigh, each a share of what the joint does.

@@ -12,6 +12,7 @@
 //! | `resample` | where a point of the flat ribbon was bound for |
 //! | `inertia`, `bending`, `load`, `barrier`, `closure` | one energy each: value and derivatives |
 //! | `body` | the ribbon while it is solved for |
+//! | `assemble`, `forces` | the model of a few cells at a time; what else pulls at one |
 //! | `riccati`, `sweep`, `mend` | the linear solve; that of a loop's joint alone |
 //! | `roll` | a trial: a share of the step, answering to where it leads |
 //! | `contact` | what pushes back, and what no step may pass through |
@@ -38,6 +39,8 @@ pub mod barrier;
 pub mod closure;
 pub mod riccati;
 pub mod body;
+pub mod forces;
+pub mod assemble;
 pub mod sweep;
 pub mod adjoint;
 pub mod contact;

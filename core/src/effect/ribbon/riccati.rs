@@ -1,47 +1,42 @@
 //! The quadratic model of everything beyond a crease, and how a crease is eliminated from it.
 //!
-//! The state of a segment is its twist `ξ`, its near crease's `ψ` and `c`; the controls are the next crease's. Twists
-//! are about the world's origin, so `ξ_{j+1} = ξ_j + S_ψ δψ + S_c δc`: the dynamics are the identity, and one stage is
-//! two products of a 6x6 matrix with a vector and a change of rank two. `d` is the start's own twist where the start is
-//! free and the end is joined to it: then `ξ` is counted from the start's.
+//! The state of a segment is eight numbers, as many as travel together: its twist `ξ`, its near crease's `ψ` and `c`; the
+//! controls are the next crease's. Twists are about the world's origin, so `ξ_{j+1} = ξ_j + S_ψ δψ + S_c δc`: the dynamics
+//! are the identity, and one stage is two products of an 8x8 matrix with a vector and a change of rank two. `d` is the
+//! start's own twist where the start is free and the end is joined to it: then `ξ` is counted from the start's.
 //!
 //! Source: ours; Riccati's recursion for a chain. Checked by `tests/ribbon_derivatives.rs`.
 
 use super::frame::{Six, dot6};
-use crate::real::Real;
+use crate::real::{Eight, LANES, Lanes, Num, Real};
 
-/// Value, to second order, of what lies beyond.
+/// Where `ψ` is in a state; before it is `ξ`.
+pub const PSI: usize = 6;
+/// Where `c` is in a state.
+pub const C: usize = 7;
+
+/// Value, to second order, of what lies beyond, over the state `z = (ξ, ψ, c)`.
 #[derive(Debug, Clone, Copy)]
-pub struct Value<R> {
-    /// By `ξ ξ`.
-    pub xx: [Six<R>; 6],
-    /// By `ξ c` and `ξ ψ`.
-    pub xu: [Six<R>; 2],
-    /// By `ψψ`, `ψc`, `cc`.
-    pub uu: [R; 3],
-    /// By `ξ`.
-    pub x: Six<R>,
-    /// By `ψ`, `c`.
-    pub u: [R; 2],
-    /// By `ξ d`.
-    pub xd: [Six<R>; 6],
-    /// By `ψ d`, `c d`.
-    pub ud: [Six<R>; 2],
-    /// By `d d`.
-    pub dd: [Six<R>; 6],
-    /// By `d`.
-    pub d: Six<R>,
+pub struct Value<R: Real> {
+    /// By `z z`, row by row.
+    pub zz: [R::Eight; LANES],
+    /// By `z`.
+    pub z: R::Eight,
+    /// By `z d`; of a row the first six count.
+    pub zd: [R::Eight; LANES],
+    /// By `d d`; of a row the first six count.
+    pub dd: [R::Eight; 6],
+    /// By `d`; the first six count.
+    pub d: R::Eight,
 }
 
-/// The rule that gives a crease's step from the state before it: `-(k + X ξ + U (ψ, c) + D d)`, row `ψ` then row `c`.
+/// The rule that gives a crease's step from the state before it: `-(k + Z z + D d)`, row `ψ` then row `c`.
 #[derive(Debug, Clone, Copy)]
 pub struct Gain<R> {
     /// The constant part.
     pub k: [R; 2],
-    /// By `ξ`.
-    pub x: [Six<R>; 2],
-    /// By the previous crease's `(ψ, c)`.
-    pub u: [[R; 2]; 2],
+    /// By the state before.
+    pub z: [[R; LANES]; 2],
     /// By `d`.
     pub d: [Six<R>; 2],
     /// `S_ψ`, `S_c`.
@@ -50,49 +45,69 @@ pub struct Gain<R> {
     pub lean: R,
 }
 
-/// What ties a crease to the state before it, beside the dynamics; row `ψ` then row `c`.
+/// A segment's own model, and what its next crease adds to that: its axes, how it is tied to the state before it beside
+/// the dynamics, its own terms. Row `ψ` then row `c`.
 #[derive(Debug, Clone, Copy)]
-pub struct Tie<R> {
-    /// To `ξ` (and `d`).
-    pub x: [Six<R>; 2],
-    /// To the previous crease's `(ψ, c)`.
-    pub u: [[R; 2]; 2],
-    /// Own gradient.
+pub struct Part<R> {
+    /// Hessian of the segment by its state, row by row.
+    pub zz: [[R; LANES]; LANES],
+    /// Gradient by its state.
+    pub z: [R; LANES],
+    /// How the crease moves the state beyond it: `S_ψ` and a one for its `ψ`, `S_c` and a one for its `c`.
+    pub axes: [[R; LANES]; 2],
+    /// What ties the crease to the state (and by its twist to `d`).
+    pub tie: [[R; LANES]; 2],
+    /// The crease's own gradient.
     pub g: [R; 2],
-    /// Own Hessian `ψψ`, `ψc`, `cc`, the shift included.
+    /// Its own Hessian `ψψ`, `ψc`, `cc`, the shift included.
     pub h: [R; 3],
     /// Which of the two may move.
     pub free: [bool; 2],
-    /// Whether `d` counts.
-    pub drift: bool,
 }
 
-/// A crease's rows of the model: by itself, their right-hand sides, by `ξ`, by the crease before, by `d`.
-struct Rows<R> {
+impl<R: Real> Part<R> {
+    /// Nothing of its own, and a crease that does nothing.
+    pub const ZERO: Self = {
+        let (o, l, none) = (R::ZERO, R::ONE, [R::ZERO; LANES]);
+        Self {
+            zz: [none; LANES],
+            z: none,
+            axes: [[o, o, o, o, o, o, l, o], [o, o, o, o, o, o, o, l]],
+            tie: [none; 2],
+            g: [o; 2],
+            h: [o; 3],
+            free: [true; 2],
+        }
+    };
+}
+
+/// A crease's rows of the model: by itself, their right-hand sides, by the state before, by `d`.
+struct Rows<R: Real> {
     h: [R; 3],
     g: [R; 2],
-    x: [Six<R>; 2],
-    u: [[R; 2]; 2],
-    d: [Six<R>; 2],
+    z: [R::Eight; 2],
+    d: [R::Eight; 2],
 }
 
 impl<R: Real> Gain<R> {
     /// No rule.
     pub const ZERO: Self = Self {
         k: [R::ZERO; 2],
-        x: [[R::ZERO; 6]; 2],
-        u: [[R::ZERO; 2]; 2],
+        z: [[R::ZERO; LANES]; 2],
         d: [[R::ZERO; 6]; 2],
         axes: [[R::ZERO; 6]; 2],
         lean: R::ZERO,
     };
     /// The step of the crease for a share of the whole, given what the state before it has become.
-    #[inline]
-    pub fn rule(&self, share: R, x: &Six<R>, u: [R; 2], d: Option<&Six<R>>) -> [R; 2] {
+    #[inline(always)]
+    pub fn rule(&self, share: R, x: &Six<R>, [psi, c]: [R; 2], d: Option<&Six<R>>) -> [R; 2] {
+        let [p, q, r, s, t, u] = *x;
         let row = |i: usize| {
-            let near = self.u[i][0] * u[0] + self.u[i][1] * u[1];
+            let z = &self.z[i];
+            let near = self.k[i] * share + (z[PSI] * psi + z[C] * c);
             let far = d.map_or(R::ZERO, |d| dot6(&self.d[i], d));
-            -(self.k[i] * share + dot6(&self.x[i], x) + near + far)
+            let turn = z[0] * p + (z[1] * q + z[2] * r);
+            -((near + far) + (turn + (z[3] * s + (z[4] * t + z[5] * u))))
         };
         [row(0), row(1)]
     }
@@ -113,160 +128,182 @@ impl<R: Real> Gain<R> {
     }
 }
 
-/// `Σ m_i x_i` over the rows of a symmetric matrix.
+/// Six numbers and two.
 #[inline(always)]
-fn times<R: Real>(m: &[Six<R>; 6], x: &Six<R>) -> Six<R> {
-    let mut sum = [R::ZERO; 6];
-    for (row, &f) in m.iter().zip(x) {
-        add(&mut sum, row, f);
+pub fn state<R: Real>(x: &Six<R>, [psi, c]: [R; 2]) -> [R; LANES] {
+    let [p, q, r, s, t, u] = *x;
+    [p, q, r, s, t, u, psi, c]
+}
+
+/// The same number in all lanes.
+#[inline(always)]
+fn all<R: Real>(x: R) -> R::Eight {
+    <R::Eight as Lanes<R>>::all(x)
+}
+
+/// What changes along both axes change in the gradient.
+#[inline(always)]
+fn along<R: Real>(m: &[R::Eight; LANES], [s, t]: &[[R; LANES]; 2]) -> [R::Eight; 2] {
+    let mut sum = [m[PSI], m[C]];
+    for (row, (&s, &t)) in m.iter().zip(s.iter().zip(t)).take(PSI) {
+        sum = [sum[0] + *row * all::<R>(s), sum[1] + *row * all::<R>(t)];
     }
     sum
 }
 
+/// `a pᵀ + b qᵀ`, a row of it.
 #[inline(always)]
-fn add<R: Real>(sum: &mut Six<R>, x: &Six<R>, f: R) {
-    for (s, &x) in sum.iter_mut().zip(x) {
-        *s += x * f;
-    }
-}
-
-/// `m -= a pᵀ + b qᵀ`.
-#[inline(always)]
-fn take<R: Real>(m: &mut [Six<R>; 6], [a, b]: [&Six<R>; 2], [p, q]: [&Six<R>; 2]) {
-    for (row, (&a, &b)) in m.iter_mut().zip(a.iter().zip(b)) {
-        for (v, (&p, &q)) in row.iter_mut().zip(p.iter().zip(q)) {
-            *v -= a * p + b * q;
-        }
-    }
-}
-
-/// `m += o`.
-#[inline(always)]
-pub fn plus<R: Real>(m: &mut [Six<R>; 6], o: &[Six<R>; 6]) {
-    for (row, other) in m.iter_mut().zip(o) {
-        add(row, other, R::one());
-    }
+fn row<R: Real>([a, b]: [R; 2], [p, q]: [R::Eight; 2]) -> R::Eight {
+    p * all::<R>(a) + q * all::<R>(b)
 }
 
 impl<R: Real> Value<R> {
     /// Nothing beyond.
-    pub const ZERO: Self = Self {
-        xx: [[R::ZERO; 6]; 6],
-        xu: [[R::ZERO; 6]; 2],
-        uu: [R::ZERO; 3],
-        x: [R::ZERO; 6],
-        u: [R::ZERO; 2],
-        xd: [[R::ZERO; 6]; 6],
-        ud: [[R::ZERO; 6]; 2],
-        dd: [[R::ZERO; 6]; 6],
-        d: [R::ZERO; 6],
-    };
+    #[inline]
+    pub fn zero() -> Self {
+        let o = R::Eight::zero();
+        Self { zz: [o; LANES], z: o, zd: [o; LANES], dd: [o; 6], d: o }
+    }
 
-    /// Eliminates a crease: from the value by the segment beyond it to the value by the one before it, and the rule for
-    /// its step. Adds to `fall` how much the model falls to first order; `None` where the model has no minimum.
+    /// Takes a joint's gradient and Hessian by the end's twist for what lies beyond.
+    pub fn join(&mut self, x: &Six<R>, xx: &[Six<R>; 6]) {
+        let at = |x: &Six<R>| R::Eight::from_array(state(x, [R::ZERO; 2]));
+        self.z = at(x);
+        self.zz.iter_mut().zip(xx).for_each(|(m, xx)| *m = at(xx));
+    }
+
+    /// Eliminates a crease: from the value by the segment beyond it to the value by the one before it, that one's own
+    /// model added, and the rule for its step. Adds to `fall` how much the model falls to first order; `None` where the
+    /// model has no minimum. Where `drift`, `d` counts.
     ///
     /// # Cost
     ///
-    /// About 500 multiply-adds, with `d` 1,100.
-    #[inline(always)]
+    /// About 600 multiply-adds, with `d` 1,200; eight at a time where the target can.
+    #[inline(never)]
     pub fn eliminate(
         &mut self,
-        axes: &[Six<R>; 2],
-        tie: &Tie<R>,
+        part: &Part<R>,
+        drift: bool,
         fall: &mut R,
         gain: &mut Gain<R>,
     ) -> Option<()> {
-        let row = self.rows(axes, tie);
-        let inverse = inverse(row.h)?;
-        let solve = |a: R, b: R| [inverse[0] * a + inverse[1] * b, inverse[1] * a + inverse[2] * b];
-        gain.k = solve(row.g[0], row.g[1]);
-        *fall += row.g[0] * gain.k[0] + row.g[1] * gain.k[1];
-        (gain.axes, gain.lean) = (*axes, inverse[1] / inverse[2]);
-        for i in 0..6 {
-            [gain.x[0][i], gain.x[1][i]] = solve(row.x[0][i], row.x[1][i]);
+        let rows = self.rows(part, drift);
+        let inverse = inverse(rows.h)?;
+        let [p, q, r] = inverse;
+        let k = [p * rows.g[0] + q * rows.g[1], q * rows.g[0] + r * rows.g[1]];
+        *fall += rows.g[0] * k[0] + rows.g[1] * k[1];
+        (gain.k, gain.axes, gain.lean) = (k, part.axes.map(six), q / r);
+        let solve = |[a, b]: [R::Eight; 2]| {
+            let [p, q, r] = inverse.map(all::<R>);
+            [a * p + b * q, a * q + b * r]
+        };
+        let (z, before_z) = (solve(rows.z), rows.z.map(Eight::array));
+        gain.z = z.map(Eight::array);
+        let pair = |k: usize| [before_z[0][k], before_z[1][k]];
+        for (k, (m, own)) in self.zz.iter_mut().zip(&part.zz).enumerate() {
+            let old = if k < PSI { before::<R>(*m) } else { R::Eight::zero() };
+            *m = old - row::<R>(pair(k), z) + R::Eight::from_array(*own);
         }
-        for s in 0..2 {
-            [gain.u[0][s], gain.u[1][s]] = solve(row.u[0][s], row.u[1][s]);
+        self.z = before::<R>(self.z) - row::<R>(k, rows.z) + R::Eight::from_array(part.z);
+        if drift {
+            self.eliminate_drift(part, &rows, (k, inverse), gain);
         }
-        if tie.drift {
-            for i in 0..6 {
-                [gain.d[0][i], gain.d[1][i]] = solve(row.d[0][i], row.d[1][i]);
-            }
-            self.reduce_drift(&row, gain);
-        }
-        self.reduce(&row, gain);
         Some(())
     }
 
     /// The crease's two rows of the model, the dynamics put in.
     #[inline(always)]
-    fn rows(&self, axes: &[Six<R>; 2], tie: &Tie<R>) -> Rows<R> {
-        let (two, o) = (R::of(2.0), R::ZERO);
-        let ([sp, sc], [xp, xc]) = (axes, &self.xu);
-        let [mp, mc] = [times(&self.xx, sp), times(&self.xx, sc)];
-        let mut row = Rows {
-            h: [
-                dot6(sp, &mp) + two * dot6(sp, xp) + self.uu[0] + tie.h[0],
-                dot6(sp, &mc) + dot6(sp, xc) + dot6(sc, xp) + self.uu[1] + tie.h[1],
-                dot6(sc, &mc) + two * dot6(sc, xc) + self.uu[2] + tie.h[2],
-            ],
-            g: [dot6(sp, &self.x) + self.u[0] + tie.g[0], dot6(sc, &self.x) + self.u[1] + tie.g[1]],
-            x: [mp, mc],
-            u: tie.u,
-            d: [[o; 6]; 2],
+    fn rows(&self, part: &Part<R>, drift: bool) -> Rows<R> {
+        let (one, o, none) = (R::one(), R::ZERO, R::Eight::zero());
+        let axes = part.axes.map(R::Eight::from_array);
+        let z = along::<R>(&self.zz, &part.axes);
+        let h = [(axes[0] * z[0]).sum(), (axes[0] * z[1]).sum(), (axes[1] * z[1]).sum()];
+        let tie = part.tie.map(R::Eight::from_array);
+        let mut rows = Rows {
+            h: [h[0] + part.h[0], h[1] + part.h[1], h[2] + part.h[2]],
+            g: [(axes[0] * self.z).sum() + part.g[0], (axes[1] * self.z).sum() + part.g[1]],
+            z: [before::<R>(z[0]) + tie[0], before::<R>(z[1]) + tie[1]],
+            d: [none; 2],
         };
-        for (i, axis) in axes.iter().enumerate() {
-            add(&mut row.x[i], &self.xu[i], R::one());
-            add(&mut row.x[i], &tie.x[i], R::one());
-            if tie.drift {
-                row.d[i] = times(&self.xd, axis);
-                add(&mut row.d[i], &self.ud[i], R::one());
-                add(&mut row.d[i], &tie.x[i], R::one());
-            }
-            if !tie.free[i] {
-                (row.g[i], row.u[i], row.x[i], row.d[i]) = (o, [o; 2], [o; 6], [o; 6]);
-                (row.h[1], row.h[2 * i]) = (o, R::one());
+        if drift {
+            let d = along::<R>(&self.zd, &part.axes);
+            rows.d = [d[0] + before::<R>(tie[0]), d[1] + before::<R>(tie[1])];
+        }
+        for i in 0..2 {
+            if !part.free[i] {
+                (rows.g[i], rows.z[i], rows.d[i]) = (o, none, none);
+                (rows.h[1], rows.h[2 * i]) = (o, one);
             }
         }
-        row
+        rows
     }
 
-    /// What is left by the state before the crease; that state's own terms come with its segment.
-    #[inline(always)]
-    fn reduce(&mut self, row: &Rows<R>, gain: &Gain<R>) {
-        take(&mut self.xx, [&row.x[0], &row.x[1]], [&gain.x[0], &gain.x[1]]);
-        for i in 0..6 {
-            self.x[i] -= row.x[0][i] * gain.k[0] + row.x[1][i] * gain.k[1];
-            for s in 0..2 {
-                self.xu[s][i] = -(gain.x[0][i] * row.u[0][s] + gain.x[1][i] * row.u[1][s]);
-            }
+    /// The same for what depends on `d`, in which a segment's own model is as in `ξ`.
+    fn eliminate_drift(
+        &mut self,
+        part: &Part<R>,
+        rows: &Rows<R>,
+        (k, [p, q, r]): ([R; 2], [R; 3]),
+        gain: &mut Gain<R>,
+    ) {
+        let [p, q, r] = [p, q, r].map(all::<R>);
+        let d = [rows.d[0] * p + rows.d[1] * q, rows.d[0] * q + rows.d[1] * r];
+        gain.d = d.map(|d| six(d.array()));
+        let (rz, rd) = (rows.z.map(Eight::array), rows.d.map(Eight::array));
+        for (k, (m, own)) in self.zd.iter_mut().zip(&part.zz).enumerate() {
+            let old = if k < PSI { *m } else { R::Eight::zero() };
+            let own = before::<R>(R::Eight::from_array(*own));
+            *m = old - row::<R>([rz[0][k], rz[1][k]], d) + own;
         }
-        let cross = |s: usize, t: usize| -(row.u[0][s] * gain.u[0][t] + row.u[1][s] * gain.u[1][t]);
-        self.uu = [cross(0, 0), cross(0, 1), cross(1, 1)];
-        self.u = [0, 1].map(|s: usize| -(row.u[0][s] * gain.k[0] + row.u[1][s] * gain.k[1]));
+        for (k, (m, own)) in self.dd.iter_mut().zip(&part.zz).enumerate() {
+            let own = before::<R>(R::Eight::from_array(*own));
+            *m = *m - row::<R>([rd[0][k], rd[1][k]], d) + own;
+        }
+        self.d = self.d - row::<R>(k, rows.d) + before::<R>(R::Eight::from_array(part.z));
     }
 
-    fn reduce_drift(&mut self, row: &Rows<R>, gain: &Gain<R>) {
-        let kd = [&gain.d[0], &gain.d[1]];
-        take(&mut self.xd, [&row.x[0], &row.x[1]], kd);
-        take(&mut self.dd, [&row.d[0], &row.d[1]], kd);
-        for i in 0..6 {
-            self.d[i] -= row.d[0][i] * gain.k[0] + row.d[1][i] * gain.k[1];
-            for s in 0..2 {
-                self.ud[s][i] = -(row.u[0][s] * gain.d[0][i] + row.u[1][s] * gain.d[1][i]);
+    /// Adds the model of a segment that no crease was eliminated before.
+    pub fn add(&mut self, part: &Part<R>, drift: bool) {
+        for (m, own) in self.zz.iter_mut().zip(&part.zz) {
+            *m = *m + R::Eight::from_array(*own);
+        }
+        self.z = self.z + R::Eight::from_array(part.z);
+        if drift {
+            for (k, own) in part.zz.iter().enumerate() {
+                let own = before::<R>(R::Eight::from_array(*own));
+                self.zd[k] = self.zd[k] + own;
+                if let Some(m) = self.dd.get_mut(k) {
+                    *m = *m + own;
+                }
             }
+            self.d = self.d + before::<R>(R::Eight::from_array(part.z));
         }
     }
 }
 
+/// The part by `ξ` alone.
+#[inline(always)]
+fn before<R: Real>(z: R::Eight) -> R::Eight {
+    let [p, q, r, s, t, u, ..] = z.array();
+    R::Eight::from_array([p, q, r, s, t, u, R::ZERO, R::ZERO])
+}
+
+/// The first six.
+#[inline(always)]
+pub fn six<R: Real>([p, q, r, s, t, u, ..]: [R; LANES]) -> Six<R> {
+    [p, q, r, s, t, u]
+}
+
 /// The inverse of a positive definite 2x2 matrix, or nothing.
+#[inline(always)]
 fn inverse<R: Real>([a, b, c]: [R; 3]) -> Option<[R; 3]> {
-    let rest = c - b * b / a;
+    let slope = b / a;
+    let rest = c - b * slope;
     let positive = a > R::ZERO && c > R::ZERO && rest > c * R::of(8.0 * R::EPSILON);
     if !positive {
         return None;
     }
     let r = R::one() / rest;
-    let q = -(b / a) * r;
-    Some([R::one() / a - (b / a) * q, q, r])
+    let q = -slope * r;
+    Some([R::one() / a - slope * q, q, r])
 }

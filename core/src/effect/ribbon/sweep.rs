@@ -6,54 +6,25 @@
 //!
 //! Checked by `tests/ribbon_derivatives.rs`.
 
-use super::barrier::{Wall, bounds, longest, wall};
-use super::bending::{self, Bent};
-use super::body::{Body, End, Stage};
-use super::contact::touch::{Touch, forces, stiffen};
+use super::assemble::{Assembly, Bends};
+use super::barrier::{bounds, longest};
+use super::body::{Body, Stage};
+use super::contact::touch::Touch;
+use super::forces::{Model, Pushed};
 use super::frame::{Six, dot6, halves, six};
-use super::inertia::{Cell, Model, Motion, model};
 use super::joint::{Crease, Turn, about};
 use super::load::{Ask, Loads, Pull};
-use super::resample::{Pair, Sample};
-use super::riccati::{Tie, Value, plus};
+use super::resample::Pair;
+use super::riccati::{self, C, Part, Value, state};
 use super::strip::Strip;
-use crate::real::{Real, V3};
+use crate::real::{Eight, LANES, Real, V3};
 use nalgebra::{SMatrix, SVector};
 
 /// What a shift weighs on a slope, against an angle: slopes move by more.
 pub const SLOPES: f64 = 0.03;
 
-/// What a segment is followed by.
-#[derive(Clone, Copy)]
-struct Next<'a, R> {
-    pair: &'a Pair<R>,
-    want: &'a [Sample<R>; 2],
-    crease: Crease<R>,
-    /// The turn there, unless it is the end.
-    turn: Option<&'a Turn<R>>,
-    /// What pulls at the end, where it is.
-    pulled: Pair<R>,
-}
-
-impl<'a, R: Real> Next<'a, R> {
-    const NONE: Pair<R> = [V3([R::ZERO; 3]); 2];
-
-    fn end(end: &'a End<R>, pulled: Pair<R>) -> Self {
-        Self { pair: &end.pair, want: &end.want, crease: Crease::default(), turn: None, pulled }
-    }
-    fn crease(s: &'a Stage<R>) -> Self {
-        Self {
-            pair: &s.pair,
-            want: &s.want,
-            crease: s.crease,
-            turn: Some(&s.turn),
-            pulled: Self::NONE,
-        }
-    }
-}
-
 /// What the backward sweep carries along.
-struct Carried<R> {
+struct Carried<R: Real> {
     value: Value<R>,
     /// Gradient by the twist of everything beyond.
     beyond: Six<R>,
@@ -66,6 +37,14 @@ struct Carried<R> {
     turns: R,
 }
 
+/// What pulls at a segment: its own crease, the end if it is the last; its far vertices.
+struct Beside<R> {
+    pull: Pull<R>,
+    end: Option<Pair<R>>,
+    far: Pair<R>,
+    rough: R,
+}
+
 #[inline(always)]
 pub(super) fn pulls<R: Real>(
     ask: &Ask<R>,
@@ -74,8 +53,7 @@ pub(super) fn pulls<R: Real>(
     pair: &Pair<R>,
     pull: &mut Pull<R>,
 ) {
-    pull.gradient = Next::<R>::NONE;
-    pull.terms.clear();
+    pull.clear();
     ask.pull(crease, pair, pull);
     loads.pull(crease, pair, pull);
 }
@@ -99,43 +77,46 @@ impl<R: Real, const N: usize> Body<R, N> {
         touch: &impl Touch<R>,
         shift: R,
     ) -> Option<R> {
-        let mut carried = self.carried(shift);
-        let Self { strip, stages, end, motion, mu, rough, .. } = self;
+        let (mut carried, assembly) = (self.carried(shift), Assembly::of(self));
+        let Self { strip, stages, end, rough, room, .. } = self;
+        let used = stages.get_mut(..strip.n)?;
         let mut pull = Pull::none();
         pulls(ask, loads, strip.n, &end.pair, &mut pull);
-        curve(&mut carried.value, &pull, &end.pair, V3([R::ZERO; 3]), carried.drift);
-        let mut next = Next::end(end, pull.gradient);
-        for (j, s) in stages.iter_mut().take(strip.n).enumerate().rev() {
-            pulls(ask, loads, j, &s.pair, &mut pull);
-            let cell = Self::cell(s, (next.pair, next.want, next.crease.c));
-            let spread = cell.spread;
-            let others = [pull.gradient, next.pulled];
-            let m = pressed(strip, motion, &cell, others, ask.guide(j), (touch, j), *rough);
-            let mut bent = bending::derivatives(strip, j, s.crease, next.crease);
-            if *rough > R::ZERO {
-                bent.roughen(strip, j, [s.crease, next.crease], *rough);
+        carried.end(&pull, &end.pair);
+        let at_end = pull.some().then_some(pull.gradient);
+        let mut beside = Beside { end: at_end, pull, far: end.pair, rough: *rough };
+        let mut first = true;
+        for last in (0..strip.n).rev().step_by(LANES) {
+            assembly.fill(strip, (used, end), last, room);
+            let slots = room.parts.iter_mut().zip(&room.bends);
+            for (j, (part, bend)) in (0..=last).rev().zip(slots) {
+                let s = used.get(j)?;
+                pulls(ask, loads, j, &s.pair, &mut beside.pull);
+                beside.push(strip, s, (touch, j), ask.guide(j), part);
+                carried.tie(part, bend);
             }
-            let w = wall(spread, strip.limit, *mu, s.dual);
-            if let Some(turn) = next.turn {
-                carried.cross(s, turn, &m, &bent, &w, strip.cell)?;
+            for (j, part) in (0..=last).rev().zip(&room.parts) {
+                let gain = &mut used.get_mut(j)?.gain;
+                let Carried { value, drift, fall, .. } = &mut carried;
+                if core::mem::replace(&mut first, false) {
+                    value.add(part, *drift);
+                } else {
+                    value.eliminate(part, *drift, fall, gain)?;
+                }
             }
-            carried.own(&m, &bent, &w);
-            curve(&mut carried.value, &pull, &s.pair, s.frame.t * strip.half, carried.drift);
-            next = Next::crease(s);
         }
-        let turn = next.turn.copied().unwrap_or(Turn::NONE);
+        let turn = used.first()?.turn;
         self.factor_start(&mut carried, turn)
     }
 
     /// What lies beyond the last segment: nothing, or a loop's joint.
     fn carried(&self, shift: R) -> Carried<R> {
-        let (mut value, mut beyond) = (Value::ZERO, [R::ZERO; 6]);
+        let (mut value, mut beyond) = (Value::zero(), [R::ZERO; 6]);
         if self.looped() {
             let [at_end, at_start] = self.hold.gradient(&self.gap);
-            (beyond, value.x, value.xx) = (at_end, at_end, self.hold.hessian(&self.gap));
-            for (d, (&e, &s)) in value.d.iter_mut().zip(at_end.iter().zip(&at_start)) {
-                *d = e + s;
-            }
+            value.join(&at_end, &self.hold.hessian(&self.gap));
+            value.d = value.z + R::Eight::from_array(state(&at_start, [R::ZERO; 2]));
+            beyond = at_end;
         }
         Carried {
             value,
@@ -152,20 +133,21 @@ impl<R: Real, const N: usize> Body<R, N> {
         let Carried { value, fall, shift, drift, .. } = carried;
         let beyond = &carried.beyond.map(|w| w * carried.turns);
         let (shift, drift) = (*shift, *drift);
-        let axes = turn.axes(&self.base).map(|a| about(a, self.base.p));
-        let o = R::ZERO;
-        let tie = Tie {
-            x: [bracket(&axes[0], beyond), [o; 6]],
-            u: [[o; 2]; 2],
-            g: [o; 2],
+        let [psi, slope] = turn.axes(&self.base).map(|a| about(a, self.base.p));
+        let (o, l) = (R::ZERO, R::one());
+        let crease = Part {
+            axes: [state(&psi, [l, o]), state(&slope, [o, l])],
+            tie: [state(&bracket(&psi, beyond), [o; 2]), [o; LANES]],
             h: [shift, o, o],
             free: [self.strip.hinge > o, false],
-            drift,
+            ..Part::ZERO
         };
-        value.eliminate(&axes, &tie, fall, &mut self.root_gain)?;
+        value.eliminate(&crease, drift, fall, &mut self.root_gain)?;
         self.base_step = [o; 6];
         if self.strip.free {
-            let (m, g) = if drift { (&value.dd, &value.d) } else { (&value.xx, &value.x) };
+            let [p, q, r, s, t, u, ..] = value.zz;
+            let (m, g) = if drift { (value.dd, value.d) } else { ([p, q, r, s, t, u], value.z) };
+            let (m, g) = (m.map(Eight::array), &riccati::six(g.array()));
             let mut a = SMatrix::<R, 6, 6>::from_fn(|r, c| {
                 let at = m.get(r).and_then(|row| row.get(c)).copied().unwrap_or(o);
                 if r == c { at + base_shift(shift, r, self.strip.length()) } else { at }
@@ -228,110 +210,79 @@ fn bracket<R: Real>(axis: &Six<R>, beyond: &Six<R>) -> Six<R> {
 }
 
 impl<R: Real> Carried<R> {
-    /// Crosses the next crease: what lies beyond it becomes what lies beyond this segment.
+    /// Completes what ties a crease to the state before it: the wrench of all that is beyond turns with both.
     #[inline(always)]
-    fn cross(
-        &mut self,
-        s: &mut Stage<R>,
-        turn: &Turn<R>,
-        m: &Model<R>,
-        bent: &Bent<R>,
-        wall: &Wall<R>,
-        cell: R,
-    ) -> Option<()> {
-        let p = s.frame.p + s.frame.t * cell;
-        let axes = turn.axes(&s.frame).map(|a| about(a, p));
-        let [mixed, bend] = turn.second_axes(&s.frame);
+    fn tie(&mut self, part: &mut Part<R>, bend: &Bends<R>) {
         let beyond = self.beyond.map(|w| w * self.turns);
         let [torque, force] = halves(&beyond);
-        let moment = torque - p.cross(force);
-        let (g, h) = (&bent.g, &bent.h);
-        let mut x = axes.map(|a| bracket(&a, &beyond));
-        for (x, &m) in x[1].iter_mut().zip(&m.xc[1]) {
-            *x += m;
-        }
-        let cc = h[3][3] + m.cc[2] + moment.dot(bend) + wall.curve + self.shift * R::of(SLOPES);
-        let tie = Tie {
-            x,
-            u: [[h[2][0], h[2][1]], [h[3][0], h[3][1] + m.cc[1] - wall.curve]],
-            g: [g[2], g[3] + m.c[1] + wall.slope],
-            h: [h[2][2] + self.shift, h[2][3] + moment.dot(mixed), cc],
-            free: [true; 2],
-            drift: self.drift,
-        };
-        self.value.eliminate(&axes, &tie, &mut self.fall, &mut s.gain)
-    }
-
-    /// Adds a segment's own terms.
-    #[inline(always)]
-    fn own(&mut self, m: &Model<R>, bent: &Bent<R>, wall: &Wall<R>) {
-        let value = &mut self.value;
-        plus(&mut value.xx, &m.xx);
-        for i in 0..6 {
-            value.x[i] += m.x[i];
-            value.xu[1][i] += m.xc[0][i];
-            self.beyond[i] += m.x[i];
-        }
-        value.u[0] += bent.g[0];
-        value.u[1] += bent.g[1] + m.c[0] - wall.slope;
-        value.uu[0] += bent.h[0][0];
-        value.uu[1] += bent.h[0][1];
-        value.uu[2] += bent.h[1][1] + m.cc[0] + wall.curve;
-        if self.drift {
-            plus(&mut value.xd, &m.xx);
-            plus(&mut value.dd, &m.xx);
-            for i in 0..6 {
-                value.d[i] += m.x[i];
-                value.ud[1][i] += m.xc[0][i];
+        let moment = torque - bend.p.cross(force);
+        for (tie, axis) in part.tie.iter_mut().zip(&part.axes) {
+            for (tie, turned) in tie.iter_mut().zip(bracket(&riccati::six(*axis), &beyond)) {
+                *tie += turned;
             }
         }
+        let [psi, mixed, slope] = part.h;
+        part.h = [
+            psi + self.shift,
+            mixed + moment.dot(bend.mixed),
+            slope + moment.dot(bend.slope) + self.shift * R::of(SLOPES),
+        ];
+        self.beyond.iter_mut().zip(&part.z).for_each(|(b, &x)| *b += x);
+    }
+
+    /// What loads at the end itself add.
+    fn end(&mut self, pull: &Pull<R>, pair: &Pair<R>) {
+        let mut part = Part::ZERO;
+        curve(pull, pair, V3([R::ZERO; 3]), &mut part);
+        self.value.add(&part, self.drift);
     }
 }
 
-/// The model of a cell with what pushes at it.
-#[inline(always)]
-pub(super) fn pressed<R: Real, T: Touch<R>>(
-    strip: &Strip<R>,
-    motion: &Motion<R>,
-    cell: &Cell<'_, R>,
-    others: [Pair<R>; 2],
-    lean: V3<R>,
-    (touch, segment): (&T, usize),
-    rough: R,
-) -> Model<R> {
-    if !T::ACTIVE {
-        return model(strip, motion, cell, &others, lean, rough);
-    }
-    let mut sum = others;
-    for (pair, force) in sum.iter_mut().zip(forces(touch, segment)) {
-        for (s, f) in pair.iter_mut().zip(force) {
-            *s = *s + f;
+impl<R: Real> Beside<R> {
+    /// Adds what pulls and pushes at a segment, from the last one on.
+    #[inline(always)]
+    fn push<T: Touch<R>>(
+        &mut self,
+        strip: &Strip<R>,
+        s: &Stage<R>,
+        touch: (&T, usize),
+        lean: V3<R>,
+        part: &mut Part<R>,
+    ) {
+        let (end, guided) = (self.end.take(), lean.0 != [R::ZERO; 3]);
+        if T::ACTIVE || self.pull.some() || end.is_some() || guided {
+            let ([a, b], [c, d]) = (s.pair, self.far);
+            let pulls = [self.pull.gradient, end.unwrap_or([V3([R::ZERO; 3]); 2])];
+            let pushed = Pushed { x: [a, b, c, d], pulls, lean, rough: self.rough };
+            add(part, &pushed.model(strip, &s.frame, touch));
+            curve(&self.pull, &s.pair, s.frame.t * strip.half, part);
         }
+        self.far = s.pair;
     }
-    let mut m = model(strip, motion, cell, &sum, lean, rough);
-    stiffen(touch, segment, &cell.x, strip, cell.frame.t, &mut m);
-    m
+}
+
+/// Adds what else pulls at a segment.
+fn add<R: Real>(part: &mut Part<R>, m: &Model<R>) {
+    for (row, (xx, &xc)) in part.zz.iter_mut().zip(m.xx.iter().zip(&m.xc[0])) {
+        row.iter_mut().zip(xx).for_each(|(v, &m)| *v += m);
+        row[C] += xc;
+    }
+    let near = state(&m.xc[0], [R::ZERO, m.cc[0]]);
+    part.zz[C].iter_mut().zip(near).for_each(|(v, m)| *v += m);
+    part.z.iter_mut().zip(state(&m.x, [R::ZERO, m.c[0]])).for_each(|(v, m)| *v += m);
+    let far = state(&m.xc[1], [R::ZERO, m.cc[1]]);
+    part.tie[1].iter_mut().zip(far).for_each(|(v, m)| *v += m);
+    (part.g[1], part.h[2]) = (part.g[1] + m.c[1], part.h[2] + m.cc[2]);
 }
 
 /// Adds the curvature terms of loads: rank one each, over `(ξ, c)`.
-fn curve<R: Real>(value: &mut Value<R>, pull: &Pull<R>, pair: &Pair<R>, slide: V3<R>, drift: bool) {
+fn curve<R: Real>(pull: &Pull<R>, pair: &Pair<R>, slide: V3<R>, part: &mut Part<R>) {
     for (weight, [a, b]) in &pull.terms {
-        let row = six(pair[0].cross(*a) + pair[1].cross(*b), *a + *b);
-        let c = slide.dot(*b - *a);
-        for (i, &r) in row.iter().enumerate() {
+        let x = six(pair[0].cross(*a) + pair[1].cross(*b), *a + *b);
+        let z = state(&x, [R::ZERO, slide.dot(*b - *a)]);
+        for (row, &r) in part.zz.iter_mut().zip(&z) {
             let r = r * *weight;
-            for (k, &q) in row.iter().enumerate() {
-                value.xx[i][k] += r * q;
-                if drift {
-                    value.xd[i][k] += r * q;
-                    value.dd[i][k] += r * q;
-                }
-            }
-            value.xu[1][i] += r * c;
-            if drift {
-                value.ud[1][i] += r * c;
-            }
+            row.iter_mut().zip(&z).for_each(|(v, &z)| *v += r * z);
         }
-        value.uu[2] += *weight * c * c;
     }
 }

@@ -92,7 +92,7 @@ fn share(
 }
 
 fn pulls(ask: &Ask<f64>, loads: &impl Loads<f64>, j: usize, pair: &Pair<f64>) -> Pair<f64> {
-    let mut pull = Pull { gradient: [NONE; 2], terms: Default::default() };
+    let mut pull = Pull::none();
     loads.pull(j, pair, &mut pull);
     ask.pull(j, pair, &mut pull);
     pull.gradient

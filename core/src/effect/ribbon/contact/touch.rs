@@ -1,8 +1,9 @@
 //! What a solver asks of contact: an energy, its derivatives by segment, and how much of a step is free.
 
 use super::super::body::{End, Stage};
+use super::super::forces::Model;
 use super::super::frame::six;
-use super::super::inertia::{Four, Model};
+use super::super::inertia::Four;
 use super::super::resample::Pair;
 use super::super::strip::Strip;
 use crate::real::{Real, V3};

@@ -66,7 +66,7 @@ impl<R: Real> Solver<R> {
     /// Before its first solve.
     pub const NEW: Self = Self { shift: R::ZERO };
 
-    /// Minimises; the body is left at the best point, evaluated and kept. `watch` sees the objective and the loop's gap
+    /// Minimises from where the body stands; it is left at the best point, evaluated and kept. `watch` sees the objective and the loop's gap
     /// before every iteration and at the end.
     ///
     /// # Cost
@@ -130,12 +130,13 @@ impl<'a, R: Real, L: Loads<R>, T: Touch<R>, const N: usize> Run<'a, R, L, T, N> 
     ) -> Self {
         solver.shift = R::of(FIRST_SHIFT);
         let floor = body.strip.stiff * R::of(settings.barrier);
-        body.part_rulings();
+        if body.part_rulings() {
+            body.stand();
+        }
         start_barrier(body, floor);
         body.soften(R::of(FIRST_PENALTY));
         body.hold.forget(body.strip.stiff * R::of(MOST_PENALTY), body.strip.length());
-        body.place(R::ZERO);
-        let mut energy = body.evaluate(ask, loads);
+        let mut energy = body.weigh(ask, loads);
         body.mark();
         energy.objective += touch.energy(&body.pose());
         let gap = body.gap.size(body.strip.length());
@@ -182,8 +183,7 @@ impl<'a, R: Real, L: Loads<R>, T: Touch<R>, const N: usize> Run<'a, R, L, T, N> 
 
     /// Back to what was accepted last.
     fn back(&mut self) -> Energy<R> {
-        self.body.place(R::ZERO);
-        self.body.reconstruct();
+        self.body.stand();
         self.weigh()
     }
 

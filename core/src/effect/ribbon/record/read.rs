@@ -165,8 +165,7 @@ impl<'a> Player<'a> {
         ribbon.open(&reader.head.spec, reader.head.origin)?;
         let mut stream = reader.rest;
         state(ribbon, &mut stream)?;
-        ribbon.body().place(R::ZERO);
-        ribbon.body().reconstruct();
+        ribbon.body().stand();
         let verdict = Verdict {
             steps: 0,
             diverged: None,
