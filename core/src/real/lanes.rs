@@ -128,8 +128,14 @@ macro_rules! lanes {
             }
             #[inline(always)]
             fn largest(self) -> $r {
-                let [first, rest @ ..] = self.to_array();
-                rest.into_iter().fold(first, Num::larger)
+                // Neighbours first, then pairs, then fours: in this order on every target.
+                let mut lanes = self.to_array();
+                for step in [1, 2, 4] {
+                    for i in (0..$width - step.min($width)).step_by(2 * step) {
+                        lanes[i] = lanes[i].larger(lanes[i + step]);
+                    }
+                }
+                lanes[0]
             }
         }
     };
