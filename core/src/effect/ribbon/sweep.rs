@@ -1,6 +1,6 @@
-//! One backward sweep that assembles and eliminates stage by stage, one forward sweep that finds the step.
+//! One backward sweep that assembles and eliminates eight stages after eight, one forward sweep that finds the step.
 //!
-//! The model of a stage never leaves the processor's registers and first cache: it is built, eliminated and forgotten.
+//! The models of eight stages are built, eliminated and forgotten before they leave the processor's first cache.
 //! Beside the first derivatives it has all of the second, the geometric ones included: a wrench `W` beyond a crease
 //! enters through the crease's second axes and through `½[ξ, S]·W`, because twists that follow one another do not commute.
 //!
