@@ -1,7 +1,7 @@
 //! Promise: the parts of a ribbon do what they say: interpolation is exact where it can be, a cell's mass is its area's,
 //! logarithms and angles are those of the host, rotations have logarithms even at half a turn.
 
-use dogleaf_core::effect::ribbon::elementary::{angle, hyperbolic, logarithm};
+use dogleaf_core::effect::ribbon::elementary::{angle, hyperbolic, logarithm, sine_and_versine};
 use dogleaf_core::effect::ribbon::frame::Frame;
 use dogleaf_core::effect::ribbon::resample::Table;
 use dogleaf_core::effect::ribbon::strip::Strip;
@@ -25,6 +25,32 @@ fn elementary_functions_are_the_hosts() {
         let turn = 0.5 * PI * x;
         assert!((angle(turn.sin(), turn.cos()) - turn).abs() < 1e-15 * 8.0, "atan2 at {turn}");
     }
+}
+
+/// The short series and what is beyond it, the seam at 0.75 included; both signs.
+#[test]
+fn sine_and_versine_keep_their_digits() {
+    let (mut worst, mut control) = (0.0_f64, 0.0_f64);
+    for i in 1..=4000 {
+        let psi = 1e-9_f64.max(f64::from(i) * 8e-4);
+        for psi in [psi, -psi, psi * 1e-6] {
+            let half = (0.5 * psi).sin();
+            let [sin, versine] = sine_and_versine(psi);
+            let wanted = 2.0 * half * half;
+            // Near half a turn the sine itself is a difference.
+            worst =
+                worst.max((sin - psi.sin()).abs() / psi.sin().abs().max(0.1 * psi.abs().min(1.0)));
+            worst = worst.max((versine / wanted - 1.0).abs());
+            control = control.max(((1.0 - psi.cos()) / wanted - 1.0).abs());
+            let [sin, versine] = sine_and_versine(psi as f32).map(f64::from);
+            let exact = f64::from(psi as f32);
+            let single = (0.5 * exact).sin();
+            assert!((sin - exact.sin()).abs() <= 3e-7 * exact.abs().min(1.0), "sin {psi}: {sin}");
+            assert!((versine / (2.0 * single * single) - 1.0).abs() <= 5e-7, "{psi}: {versine}");
+        }
+    }
+    assert!(worst <= 3e-15, "{worst}");
+    assert!(control > 1e-6, "the control, one less the cosine: {control}");
 }
 
 #[test]

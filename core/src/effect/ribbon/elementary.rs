@@ -78,7 +78,7 @@ fn eight<R: Real>(k: [f64; 8], z: R) -> R {
 ///
 /// # Accuracy
 ///
-/// Two roundings; `1 - cos ψ` keeps its digits for small angles.
+/// Some three roundings; `1 - cos ψ` keeps its digits for small angles.
 #[inline]
 pub fn sine_and_versine<R: Real>(psi: R) -> [R; 2] {
     if psi.magnitude() < R::of(SHORT) {
